@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+/// Thin names for the fixed-size double types of Eigen. SI units unless a name says otherwise.
+namespace dem {
+
+using Vec2 = Eigen::Vector2d;  ///< (r, z) in the half plane of a surface of revolution
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+
+/// Orientation, body -> world. Unaligned so that structs holding one can be copied byte by byte.
+using Quat = Eigen::Quaternion<double, Eigen::DontAlign>;
+
+/// A Vec3 in memory that is copied, stored and sent byte by byte (Eigen's own is not trivially
+/// copyable).
+struct StoredVec3 {
+    double x = 0.0, y = 0.0, z = 0.0;
+
+    StoredVec3() = default;
+    StoredVec3(const Vec3& v)
+        : x(v.x()), y(v.y()), z(v.z()) {}        // NOLINT(google-explicit-constructor)
+    operator Vec3() const { return {x, y, z}; }  // NOLINT(google-explicit-constructor)
+};
+
+inline constexpr double pi = 3.14159265358979323846;
+
+inline constexpr double square(double x) {
+    return x * x;
+}
+inline constexpr double cube(double x) {
+    return x * x * x;
+}
+
+}  // namespace dem

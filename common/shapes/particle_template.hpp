@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/shapes/mass_properties.hpp"
+#include "common/shapes/sphere.hpp"
+#include "common/shapes/sr_shape.hpp"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace dem {
+
+/// Triangles for looking at, body frame; counter-clockwise seen from outside.
+struct DisplayMesh {
+    SharedArray<Vec3> vertices;  ///< [m]
+    SharedArray<std::array<std::uint32_t, 3>> triangles;
+    double max_deviation = 0.0;  ///< of the mesh from the true surface [m]
+};
+
+/// What was measured about the approximation: name (snake_case, unit in the name's documentation in
+/// docs/template-format.md) and value, in a fixed order.
+using Certificate = std::vector<std::pair<std::string, double>>;
+
+/// One shape as `shapegen` cooked it.
+struct ParticleTemplate {
+    std::string name;
+    MassProperties mass_properties;
+    double bounding_radius = 0.0;                ///< about the centre of mass [m]
+    double mean_squared_surface_distance = 0.0;  ///< area-weighted, from the centre of mass [m^2]
+    bool is_convex = false;
+    DisplayMesh display_mesh;
+    Certificate certificate;
+    std::variant<Sphere, SrShape> shape;
+};
+
+/// The content of a `.tpl` file.
+struct TemplateFile {
+    std::string command;           ///< the `shapegen` command line that made it
+    std::uint64_t input_hash = 0;  ///< FNV-1a of the input file's bytes
+    std::string shapegen_version;
+    std::vector<ParticleTemplate> shapes;
+};
+
+/// "sphere", "sr": the word used in files and messages.
+std::string kind_name(const ParticleTemplate& shape);
+
+}  // namespace dem

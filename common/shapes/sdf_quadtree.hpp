@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/shapes/sr_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dem {
+
+/// Interpolated signed distance and its exact gradient with respect to (r, z) (not normalised).
+struct SdfSample {
+    double distance;  ///< [m], negative inside
+    double d_dr, d_dz;
+};
+
+/// Bilinear look-up [SR] Eqs. 5-7 in constant time. Points outside the grid are moved to its edge
+/// and the way there is added to the distance (a lower bound of the true distance is not needed
+/// there: the grid holds the whole cross-section with a margin).
+inline SdfSample interpolate(const SdfQuadtree& sdf, double r, double z) {
+    const double u = (r - sdf.origin_r) / sdf.base_size;
+    const double v = (z - sdf.origin_z) / sdf.base_size;
+    const double uc = std::clamp(u, 0.0, static_cast<double>(sdf.cells_r) * (1.0 - 1e-15));
+    const double vc = std::clamp(v, 0.0, static_cast<double>(sdf.cells_z) * (1.0 - 1e-15));
+    const auto i = static_cast<std::uint32_t>(uc);
+    const auto k = static_cast<std::uint32_t>(vc);
+    const SdfCell cell = sdf.cells[k * sdf.cells_r + i];
+    const std::uint32_t n = 1U << cell.level;
+    const double x = (uc - i) * n;
+    const double y = (vc - k) * n;
+    const auto a = static_cast<std::uint32_t>(x);
+    const auto b = static_cast<std::uint32_t>(y);
+    const double* value = sdf.values.data() + cell.first_value + b * (n + 1) + a;
+    const double p = x - a;
+    const double q = y - b;
+    const double lower = value[0] + p * (value[1] - value[0]);
+    const double upper = value[n + 1] + p * (value[n + 2] - value[n + 1]);
+    const double scale = n / sdf.base_size;
+    SdfSample s{lower + q * (upper - lower),
+                ((1.0 - q) * (value[1] - value[0]) + q * (value[n + 2] - value[n + 1])) * scale,
+                (upper - lower) * scale};
+    if (u != uc || v != vc) {
+        const double dr = (u - uc) * sdf.base_size;
+        const double dz = (v - vc) * sdf.base_size;
+        s.distance += std::sqrt(dr * dr + dz * dz);
+    }
+    return s;
+}
+
+}  // namespace dem

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/math/types.hpp"
+
+#include <cstdint>
+#include <type_traits>
+
+/// The kernel contract: what goes into and comes out of every contact kernel of `dem_contact`.
+/// A kernel is a pure function
+///
+///     PairContact collide(const ShapeA& a, const ShapeB& b, const PairState& pair,
+///                         const ContactLaw& law, double dt, History& history, [Cache& cache])
+///
+/// in which i (shape a) is the particle with the lower id, or the particle when b is a wall. All
+/// vectors are in the world frame; points are relative to the centre of mass of i. The host owns
+/// the history and the cache, calls in any order on any thread or process, and gets the same bits.
+namespace dem {
+
+/// Inertia of a rigid body as a contact needs it. All zero: a fixed body or a wall.
+struct InverseInertia {
+    double mass = 0.0;            ///< 1/m [1/kg]
+    Vec3 moments = Vec3::Zero();  ///< 1/I about the body's principal axes [1/(kg m^2)]
+};
+
+/// Motion of one body. For a wall: of its reference point.
+struct BodyState {
+    Quat orientation = Quat::Identity();   ///< body -> world
+    Vec3 velocity = Vec3::Zero();          ///< of the centre of mass [m/s]
+    Vec3 angular_velocity = Vec3::Zero();  ///< world frame [rad/s]
+    InverseInertia inverse_inertia;
+};
+
+struct PairState {
+    Vec3 displacement;  ///< from the centre of i to the centre of j [m]; periodic image resolved
+    BodyState i, j;
+};
+
+/// Force law of one pair of materials, with everything that does not change during a run derived.
+struct ContactLaw {
+    enum class Model : std::uint8_t { hertz };
+    enum class Method : std::uint8_t { automatic, continuous, nodes };
+    enum class Tangential : std::uint8_t { ratio, mindlin };
+    enum class DampingMass : std::uint8_t { contact, reduced };
+    enum class MultiContact : std::uint8_t { norm, sum, deepest };
+    enum class Radius : std::uint8_t { onset, local, equivalent };
+    /// Direction of the force at a node (METHODS 4): gradient of the interpolant, the same
+    /// normalised, interpolated distance vectors, averaged over the contact nodes [SR] Eq. 16.
+    enum class NodeNormal : std::uint8_t { gradient, normalized, vectors, averaged };
+
+    Model model = Model::hertz;
+    Method method = Method::automatic;
+    Tangential tangential = Tangential::ratio;
+    DampingMass damping_mass = DampingMass::contact;
+    MultiContact multi_contact = MultiContact::norm;
+    Radius radius = Radius::onset;
+    NodeNormal node_normal = NodeNormal::gradient;
+    bool limit_force = false;  ///< cut the normal force at zero
+
+    double youngs_modulus = 0.0;  ///< Y* [Pa], [SR] Eq. 13
+    double shear_modulus = 0.0;   ///< G* [Pa], [SR] Eq. 13
+    double damping = 0.0;         ///< sqrt(5) |beta|, beta from the restitution, [SR] Eq. 12-13
+    double friction = 0.0;        ///< Coulomb mu
+    double stiffness_ratio = 2.0 / 7.0;  ///< k_t / k_n
+    double damping_ratio = 0.5;          ///< gamma_t / gamma_n
+};
+
+/// What a contact does to its two bodies in this step. The force on j is exactly -force.
+struct PairContact {
+    Vec3 force = Vec3::Zero();       ///< on i [N]
+    Vec3 torque_i = Vec3::Zero();    ///< on i about its centre of mass [N m]
+    Vec3 torque_j = Vec3::Zero();    ///< on j about its centre of mass [N m]
+    double overlap = 0.0;            ///< generalised overlap [m]; > 0 while touching
+    double elastic_energy = 0.0;     ///< stored in normal and tangential springs [J]
+    double dissipated_energy = 0.0;  ///< by dashpots and slip during this step [J]
+    std::uint32_t points = 0;        ///< contact points; 0: the bodies do not touch
+
+    bool touches() const { return points != 0; }
+};
+
+/// History of a pair that touches in one point. All zero: no contact.
+struct PointHistory {
+    StoredVec3 normal;              ///< last unit normal, from j towards i
+    StoredVec3 spring;              ///< tangential spring delta_t [m], in the plane of `normal`
+    double effective_radius = 0.0;  ///< R* frozen at the onset of the contact [m]
+    double phase = 0.0;             ///< age of the contact in radians of its own oscillation
+};
+static_assert(std::is_trivially_copyable_v<PointHistory>);
+
+/// Lower bound of the gap of a pair that does not touch, found on the way. It may prove a miss
+/// later (the host compares it with how far the bodies have moved) and never changes a contact.
+struct MissCache {
+    StoredVec3 axis;   ///< unit separating direction, from i to j; zero: none known
+    double gap = 0.0;  ///< proven distance when the kernel last ran [m]; <= 0: unknown
+};
+
+}  // namespace dem

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/math/aabb.hpp"
+#include "common/shapes/particle_template.hpp"
+#include "runtime/contact/contact_types.hpp"
+#include "runtime/walls/wall.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// Everything a run needs, checked, in SI: what `runtime/case` makes of a case file and what
+/// `Simulation` consumes. Plain data.
+namespace dem {
+
+struct Material {
+    std::string name;
+    double density = 0.0;         ///< [kg/m^3]; 0 where only walls use the material
+    double youngs_modulus = 0.0;  ///< [Pa]
+    double poissons_ratio = 0.0;
+};
+
+/// Contact law of every pair of materials.
+class LawTable {
+  public:
+    LawTable() = default;
+    explicit LawTable(std::size_t materials) : count_(materials), laws_(materials * materials) {}
+    const ContactLaw& at(std::uint32_t a, std::uint32_t b) const { return laws_[a * count_ + b]; }
+    void set(std::uint32_t a, std::uint32_t b, const ContactLaw& law) {
+        laws_[a * count_ + b] = law;
+        laws_[b * count_ + a] = law;
+    }
+
+  private:
+    std::size_t count_ = 0;
+    std::vector<ContactLaw> laws_;
+};
+
+/// A shape made of a material: what all particles of one sort share.
+struct BodyKind {
+    std::uint32_t shape = 0;         ///< index into Scene::shapes
+    std::uint32_t material = 0;      ///< index into Scene::materials
+    double mass = 0.0;               ///< [kg]
+    Vec3 inertia = Vec3::Zero();     ///< principal moments [kg m^2]
+    InverseInertia inverse_inertia;  ///< all zero for a fixed body
+};
+
+/// One body given by number: a row of `insert = file`, world frame.
+struct BodyPlacement {
+    Vec3 position = Vec3::Zero();
+    Quat orientation = Quat::Identity();
+    Vec3 velocity = Vec3::Zero();
+    Vec3 angular_velocity = Vec3::Zero();
+};
+
+struct BoxRegion {
+    Aabb box;
+};
+struct CylinderRegion {
+    Vec3 from, to;  ///< ends of the axis [m]
+    double radius;  ///< [m]
+};
+using Region = std::variant<BoxRegion, CylinderRegion>;
+
+/// One [particles.NAME] section.
+struct InsertionGroup {
+    enum class Mode : std::uint8_t { at_once, batches, lattice, file };
+    std::string name;
+    std::string where;  ///< "case.ini:31", for messages
+    Mode mode = Mode::at_once;
+    std::vector<std::uint32_t> kinds;  ///< particle k of the group is of kind kinds[k % size]
+    std::uint64_t count = 0;
+    Region region = BoxRegion{};
+    std::uint64_t batch = 1;          ///< batches: how many at a time
+    double every = 0.0;               ///< batches: seconds between batches
+    double start = 0.0;               ///< time of the first insertion [s]
+    std::optional<Quat> orientation;  ///< none: random
+    Vec3 velocity = Vec3::Zero();
+    Vec3 angular_velocity = Vec3::Zero();
+    std::vector<BodyPlacement> placements;  ///< file
+};
+
+struct RunSettings {
+    double end_time = 0.0;             ///< [s]
+    std::optional<double> time_step;   ///< none: automatic
+    double time_step_fraction = 20.0;  ///< n of dt = min(T_R, T_H)/n
+    bool time_step_force = false;
+    Vec3 gravity = Vec3::Zero();  ///< [m/s^2]
+    std::uint64_t seed = 1;
+    int threads = 0;  ///< 0: every core
+    bool stop_at_rest = false;
+    std::optional<Aabb> domain;  ///< leaving it is an error; none: derived from walls and regions
+    std::optional<double> skin;  ///< neighbour-list skin [m]; none: chosen
+};
+
+struct OutputSettings {
+    std::string directory;
+    double frames_every = 0.0;   ///< [s]; 0: none but the first and the last
+    double history_every = 0.0;  ///< [s]
+    bool surfaces = false;
+};
+
+struct MeasureSettings {
+    enum class Kind : std::uint8_t { fill_height, contacts, solid_fraction };
+    std::string name;
+    Kind kind = Kind::fill_height;
+    double every = 0.0;  ///< [s]
+};
+
+struct Scene {
+    std::string case_path;
+    RunSettings run;
+    std::vector<Material> materials;
+    std::vector<ParticleTemplate> shapes;
+    std::vector<BodyKind> kinds;
+    LawTable laws;
+    std::vector<Wall> walls;
+    std::vector<InsertionGroup> insertions;
+    OutputSettings output;
+    std::vector<MeasureSettings> measures;
+};
+
+}  // namespace dem
