@@ -1,4 +1,2 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/shapes/profile.hpp"
-#include "runtime/contact/touch.hpp"
-#include "runtime/scene.hpp"

@@ -1,0 +1,20 @@
+# cmake -D ROOT=DIR -P check_includes.cmake: fails when a folder includes what its layer may not.
+set(failures 0)
+
+function(forbid folder pattern)
+    file(GLOB_RECURSE sources ${ROOT}/${folder}/*.hpp ${ROOT}/${folder}/*.cpp)
+    foreach(source ${sources})
+        file(STRINGS ${source} hits REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"](${pattern})")
+        foreach(hit ${hits})
+            message(SEND_ERROR "layer broken: ${source}: ${hit}")
+        endforeach()
+    endforeach()
+endfunction()
+
+set(heavy "CGAL/|assimp/|glpk")
+forbid(common "${heavy}|formats/|runtime/|shapegen/|hdf5|H5|flatbuffers/|nlohmann/|boost/|omp\\.h")
+forbid(formats "${heavy}|runtime/|shapegen/|omp\\.h")
+forbid(runtime "${heavy}|shapegen/")
+forbid(runtime/contact "formats/|runtime/(case|broad_phase|integrator|walls|insertion|measure|output|particles|scene|simulation)|hdf5|H5|omp\\.h|iostream|fstream")
+forbid(runtime/contact_law "formats/|runtime/(case|broad_phase|integrator|walls|insertion|measure|output|particles|scene|simulation)|hdf5|H5|omp\\.h|iostream|fstream")
+forbid(shapegen "runtime/")

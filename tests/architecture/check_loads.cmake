@@ -1,0 +1,10 @@
+# cmake -D PROGRAM=FILE -P check_loads.cmake: fails when the program loads a library of shapegen.
+execute_process(COMMAND ldd ${PROGRAM} OUTPUT_VARIABLE loads RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+    message(FATAL_ERROR "ldd ${PROGRAM} failed")
+endif()
+foreach(library CGAL assimp glpk gmp mpfr)
+    if(loads MATCHES "lib${library}[^ ]*\\.so")
+        message(FATAL_ERROR "layer broken: ${PROGRAM} loads lib${library}")
+    endif()
+endforeach()
