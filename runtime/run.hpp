@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/scene.hpp"
+
+#include <csignal>
+#include <cstdint>
+
+namespace dem {
+
+struct RunOptions {
+    bool quiet = false;  ///< no progress on stderr
+    /// Set by a signal handler: the run ends after the current step and keeps everything.
+    const volatile std::sig_atomic_t* stop_requested = nullptr;
+};
+
+struct RunResult {
+    enum class End : std::uint8_t { end_time, at_rest, interrupted };
+    End end = End::end_time;
+    std::uint64_t steps = 0;
+    std::uint32_t particles = 0;
+    double time = 0.0;                            ///< simulated [s]
+    double time_step = 0.0;                       ///< [s]
+    double wall_time = 0.0;                       ///< of the time loop [s]
+    double microseconds_per_particle_step = 0.0;  ///< wall time over all particle steps
+    std::uint64_t state_hash = 0;                 ///< simulation.hpp, Simulation::state_hash
+};
+
+/// Runs a scene from time 0 to its end and writes frames.h5 and frames.xdmf, history.csv, final.csv
+/// and summary.json into Scene::output.directory (created when missing).
+/// Throws Error for a time step above the critical one, an unwritable folder, and a run that fails
+/// (a body leaves, overlaps too much, a number is not finite): then with step, time and ids, and
+/// with everything written before kept.
+RunResult run(Scene scene, const RunOptions& options);
+
+}  // namespace dem
