@@ -48,12 +48,14 @@ struct BodyKind {
     InverseInertia inverse_inertia;  ///< all zero for a fixed body
 };
 
-/// One body given by number: a row of `insert = file`, world frame.
+/// Where one body starts, world frame. `kind` and `line` belong to the rows of `insert = file`.
 struct BodyPlacement {
     Vec3 position = Vec3::Zero();
     Quat orientation = Quat::Identity();
     Vec3 velocity = Vec3::Zero();
     Vec3 angular_velocity = Vec3::Zero();
+    std::uint32_t kind = 0;  ///< index into Scene::kinds
+    std::uint64_t line = 0;  ///< of the file, for messages
 };
 
 struct BoxRegion {
@@ -80,7 +82,9 @@ struct InsertionGroup {
     std::optional<Quat> orientation;  ///< none: random
     Vec3 velocity = Vec3::Zero();
     Vec3 angular_velocity = Vec3::Zero();
-    std::vector<BodyPlacement> placements;  ///< file
+    std::string file;                       ///< file: its path, for messages
+    std::vector<BodyPlacement> placements;  ///< file: its rows, `count` of them
+    bool allow_overlaps = false;            ///< file: rows of an earlier run's end touch each other
 };
 
 struct RunSettings {
