@@ -14,9 +14,10 @@ struct SdfSample {
     double d_dr, d_dz;
 };
 
-/// Bilinear look-up [SR] Eqs. 5-7 in constant time. Points outside the grid are moved to its edge
-/// and the way there is added to the distance (a lower bound of the true distance is not needed
-/// there: the grid holds the whole cross-section with a margin).
+/// Bilinear look-up [SR] Eqs. 5-7 in constant time. A point x outside the grid is moved to the
+/// nearest point c of the grid and gets sqrt(phi(c)^2 + |x - c|^2). The grid is convex and holds
+/// the whole cross-section, so this never exceeds the true distance, it is continuous, and it keeps
+/// the bound of SdfQuadtree::lipschitz_slack: a search may discard by it.
 inline SdfSample interpolate(const SdfQuadtree& sdf, double r, double z) {
     const double u = (r - sdf.origin_r) / sdf.base_size;
     const double v = (z - sdf.origin_z) / sdf.base_size;
@@ -42,7 +43,11 @@ inline SdfSample interpolate(const SdfQuadtree& sdf, double r, double z) {
     if (u != uc || v != vc) {
         const double dr = (u - uc) * sdf.base_size;
         const double dz = (v - vc) * sdf.base_size;
-        s.distance += std::sqrt(dr * dr + dz * dz);
+        const double at_edge = s.distance;
+        s.distance = std::sqrt(at_edge * at_edge + dr * dr + dz * dz);
+        const double share = at_edge / s.distance;
+        s.d_dr = u != uc ? dr / s.distance : s.d_dr * share;
+        s.d_dz = v != vc ? dz / s.distance : s.d_dz * share;
     }
     return s;
 }

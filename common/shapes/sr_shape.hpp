@@ -43,12 +43,15 @@ struct SdfCell {
 };
 
 struct SdfQuadtree {
-    double origin_r = 0.0, origin_z = 0.0;  ///< corner of base cell (0, 0) [m]; origin_r <= 0
-    double base_size = 0.0;                 ///< edge of a base cell [m]
+    /// Corner of base cell (0, 0) [m]. origin_r is minus half an interface cell: the field is even
+    /// in r, so the cells that straddle the axis make its gradient continuous there.
+    double origin_r = 0.0, origin_z = 0.0;
+    double base_size = 0.0;  ///< edge of a base cell [m]
     std::uint32_t cells_r = 0, cells_z = 0;
     SharedArray<SdfCell> cells;  ///< cells_r * cells_z, r fastest
     SharedArray<double> values;  ///< [m]
-    /// The interpolant never exceeds |x - y| + 2 lipschitz_slack between two points x, y [m].
+    /// Bound of |interpolated - exact| anywhere in the grid, twice the largest measured error [m]:
+    /// between two points x, y the interpolant changes by at most |x - y| + 2 lipschitz_slack.
     double lipschitz_slack = 0.0;
 };
 
