@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -11,25 +12,26 @@ enum class Dimension {
     none,
     length,            // m mm um cm in
     time,              // s ms us min h
-    velocity,          // m/s mm/s
-    acceleration,      // m/s^2
-    angular_velocity,  // rad/s rpm deg/s 1/s Hz
+    velocity,          // m/s mm/s cm/s
+    acceleration,      // m/s^2 mm/s^2
+    angular_velocity,  // rad/s rpm deg/s 1/s Hz (turns per second: 1 Hz = 2 pi rad/s)
     angle,             // rad deg
     density,           // kg/m^3 g/cm^3 kg/m3 g/cc
     pressure,          // Pa kPa MPa GPa
-    stiffness,         // N/m kN/m
+    stiffness,         // N/m kN/m N/mm
     frequency          // Hz 1/s
 };
 
-/// SI factor of `unit` ("" is SI), or an exception.
-/// Throws Error("unknown unit 'mn' ..., did you mean 'mm'?") naming the units of that dimension.
+/// SI factor of `unit` ("" is SI). Throws Error that says whether the unit belongs to another
+/// dimension or which one was probably meant, and names the units of `dimension`.
 double unit_factor(std::string_view unit, Dimension dimension);
 
 /// One value with an optional unit: "6.5 mm", "25rpm", "30 deg", "5e-7". Rejects NaN, infinity and
 /// trailing text. Returns SI. Throws Error that says what was found and what was expected.
 double parse_quantity(std::string_view text, Dimension dimension);
 
-/// The candidate nearest to `word` by edit distance, or "" when none is near enough to suggest.
-std::string nearest_word(std::string_view word, const std::string* candidates, std::size_t count);
+/// The candidate nearest to `word` by edit distance (upper and lower case count as half an edit),
+/// the first of equals, or "" when none is near enough to suggest.
+std::string nearest_word(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace dem
