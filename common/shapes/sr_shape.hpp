@@ -50,9 +50,12 @@ struct SdfQuadtree {
     std::uint32_t cells_r = 0, cells_z = 0;
     SharedArray<SdfCell> cells;  ///< cells_r * cells_z, r fastest
     SharedArray<double> values;  ///< [m]
-    /// Bound of |interpolated - exact| anywhere in the grid, twice the largest measured error [m]:
-    /// between two points x, y the interpolant changes by at most |x - y| + 2 lipschitz_slack.
+    /// Bound of |interpolated - exact| wherever the interpolant is positive (only there a search
+    /// discards by it), twice the largest measured error [m].
     double lipschitz_slack = 0.0;
+    /// The same, much smaller, near the surface: where |interpolated| <= surface_band [m].
+    double surface_slack = 0.0;
+    double surface_band = 0.0;  ///< one interface cell [m]
 };
 
 /// One sample of the profile's curvature (arc-length order, bottom to top).
