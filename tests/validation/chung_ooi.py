@@ -18,7 +18,6 @@ CASE = """
 end_time = {end} s
 time_step = {step} s
 gravity = 0 0 0
-overlap_limit = none
 [material.m]
 density = {density}
 youngs_modulus = {modulus}
