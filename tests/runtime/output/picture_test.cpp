@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/output/picture.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace dem {
+namespace {
+
+/// A unit octahedron split until it is a sphere of radius 1 mm for the eye.
+DisplayMesh ball() {
+    constexpr double radius = 1e-3;
+    std::vector<Vec3> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    constexpr int n = 64;
+    for (int i = 0; i <= n; ++i) {
+        for (int k = 0; k < 2 * n; ++k) {
+            const double theta = pi * i / n;
+            const double phi = pi * k / n;
+            vertices.emplace_back(radius * std::sin(theta) * std::cos(phi),
+                                  radius * std::sin(theta) * std::sin(phi),
+                                  radius * std::cos(theta));
+        }
+    }
+    const auto at = [](int i, int k) {
+        return static_cast<std::uint32_t>(i * 2 * n + k % (2 * n));
+    };
+    for (int i = 0; i < n; ++i) {
+        for (int k = 0; k < 2 * n; ++k) {
+            triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+            triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+        }
+    }
+    return {vertices, triangles, 0.0};
+}
+
+bool is_background(const Image& image, std::size_t pixel) {
+    return image.rgb[3 * pixel] == 255 && image.rgb[3 * pixel + 1] == 255 &&
+           image.rgb[3 * pixel + 2] == 255;
+}
+
+TEST(Picture, ASphereCoversADiscOfItsRadius) {
+    const DisplayMesh mesh = ball();
+    const std::vector<PictureBody> bodies{{&mesh, Vec3::Zero(), Quat::Identity(), 0}};
+    const Image image = render_picture(bodies, {}, 0.0, {});
+    std::size_t covered = 0;
+    for (std::size_t p = 0; p < image.width * image.height; ++p)
+        covered += !is_background(image, p);
+    // The longer side is the diameter and a margin of 3 % at each end.
+    const double radius = static_cast<double>(image.width) / 2.12;
+    EXPECT_NEAR(static_cast<double>(covered), pi * radius * radius, 0.01 * pi * radius * radius);
+}
+
+TEST(Picture, TheNearerBodyHidesTheOther) {
+    const DisplayMesh mesh = ball();
+    PictureView view;
+    view.azimuth = 0.0;  // seen from +x
+    view.elevation = 0.0;
+    const std::vector<PictureBody> front{{&mesh, Vec3(5e-3, 0, 0), Quat::Identity(), 1}};
+    const std::vector<PictureBody> both{{&mesh, Vec3(5e-3, 0, 0), Quat::Identity(), 1},
+                                        {&mesh, Vec3(0, 0, 0), Quat::Identity(), 2}};
+    EXPECT_EQ(render_picture(front, {}, 0.0, view).rgb, render_picture(both, {}, 0.0, view).rgb);
+}
+
+TEST(Picture, APngHoldsItsSizeAndEndsWithItsTrailer) {
+    const std::string png = encode_png({2, 3, std::vector<std::uint8_t>(18, 7)});
+    EXPECT_EQ(png.substr(0, 8), std::string("\x89PNG\r\n\x1a\n", 8));
+    EXPECT_EQ(png[19], 2);
+    EXPECT_EQ(png[23], 3);
+    EXPECT_EQ(png.substr(png.size() - 8, 4), "IEND");
+}
+
+}  // namespace
+}  // namespace dem
