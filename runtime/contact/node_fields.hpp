@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/shapes/sdf_quadtree.hpp"
+#include "common/shapes/sr_shape.hpp"
+#include "runtime/contact/contact_types.hpp"
+#include "runtime/contact/wall_shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+/// The surfaces that the nodes of a body are tested against, each placed in the frame of that body
+/// (so nodes are never moved). A field offers
+///
+///     Sample sample(x)            .distance: signed, negative inside [m]; and what follows from it
+///     Vec3 gradient(x, sample)    of the distance, exact
+///     bool accepts(x)             false where the surface has been cut off (a rim)
+///     double slack                distance(x) - distance(y) <= |x - y| + slack, y near the surface
+///     double proven_gap(d)        a point at distance d >= 0 now, or farther, does not touch
+///     before
+///                                 it has come nearer to the surface by this [m]
+namespace dem {
+
+/// The interpolated distance field of a surface of revolution. Only the centre and the axis of the
+/// other body matter ([SR] Lemma 1).
+struct SrField {
+    struct Sample : SdfSample {
+        double r;  ///< distance from the axis [m]
+        double z;  ///< along the axis, from the centre [m]
+    };
+
+    const SdfQuadtree* sdf;
+    Vec3 center;  ///< [m]
+    Vec3 axis;    ///< unit
+    double slack;
+
+    SrField(const SrShape& shape, const Vec3& center_, const Vec3& axis_)
+        : sdf(&shape.sdf),
+          center(center_),
+          axis(axis_),
+          slack(sdf->lipschitz_slack +
+                (sdf->surface_band > 0.0 ? sdf->surface_slack : sdf->lipschitz_slack)) {}
+
+    Sample sample(const Vec3& x) const {
+        const Vec3 d = x - center;
+        const double z = d.dot(axis);
+        // Not sqrt(d^2 - z^2), which loses half the digits near the axis.
+        const double r = (d - z * axis).norm();
+        return {interpolate(*sdf, r, z), r, z};
+    }
+    Vec3 gradient(const Vec3& x, const Sample& s) const { return in_space(x, s, s.d_dr, s.d_dz); }
+
+    /// A direction (r, z) of the half plane through x; nothing points away from the axis on it.
+    Vec3 in_space(const Vec3& x, const Sample& s, double along_r, double along_z) const {
+        const Vec3 radial = x - center - s.z * axis;
+        return (s.r > 0.0 ? along_r / s.r : 0.0) * radial + along_z * axis;
+    }
+    static bool accepts(const Vec3& /*x*/) { return true; }
+
+    /// On its way to the surface the point crosses the band where the interpolant is good.
+    double proven_gap(double distance) const {
+        return std::max(distance - 2.0 * sdf->lipschitz_slack,
+                        std::min(distance, sdf->surface_band) - 2.0 * sdf->surface_slack);
+    }
+};
+
+/// What the exact fields have in common.
+struct ExactField {
+    double slack;  ///< rounding
+
+    double proven_gap(double distance) const { return distance - slack; }
+};
+
+/// A ball: positive distance outside.
+struct SphereField : ExactField {
+    struct Sample {
+        double distance;
+    };
+
+    Vec3 center;    ///< [m]
+    double radius;  ///< [m]
+
+    Sample sample(const Vec3& x) const { return {(x - center).norm() - radius}; }
+    Vec3 gradient(const Vec3& x, const Sample& s) const {
+        return (x - center) / (s.distance + radius);
+    }
+    static bool accepts(const Vec3& /*x*/) { return true; }
+};
+
+/// A half space or a disc (wall_shapes.hpp).
+struct PlaneField : ExactField {
+    struct Sample {
+        double distance;
+    };
+
+    Vec3 origin;    ///< of the wall [m]
+    Vec3 normal;    ///< unit, out of the wall
+    double radius;  ///< of the disc [m]; infinite: a plane
+
+    Sample sample(const Vec3& x) const { return {(x - origin).dot(normal)}; }
+    Vec3 gradient(const Vec3& /*x*/, const Sample& /*s*/) const { return normal; }
+    bool accepts(const Vec3& x) const {
+        return radius == std::numeric_limits<double>::infinity() ||
+               (x - origin).cross(normal).squaredNorm() <= radius * radius;
+    }
+};
+
+/// Cylindrical coordinates of a point about a wall's axis.
+struct TubePoint {
+    Vec3 radial;  ///< from the axis to the point [m]
+    double r, z;  ///< [m]
+
+    TubePoint(const Vec3& x, const Vec3& origin, const Vec3& axis) {
+        const Vec3 d = x - origin;
+        z = d.dot(axis);
+        radial = d - z * axis;
+        r = radial.norm();
+    }
+};
+
+/// The inside of a tube: distance from its wall, positive within.
+struct TubeField : ExactField {
+    struct Sample {
+        double distance;
+    };
+
+    Vec3 origin, axis;
+    double radius, length;
+
+    Sample sample(const Vec3& x) const { return {radius - TubePoint(x, origin, axis).r}; }
+    Vec3 gradient(const Vec3& x, const Sample& /*s*/) const {
+        const TubePoint p(x, origin, axis);
+        return p.radial / -p.r;  // r > radius where a node touches
+    }
+    bool accepts(const Vec3& x) const {
+        if (length == std::numeric_limits<double>::infinity()) return true;
+        const double z = (x - origin).dot(axis);
+        return z >= 0.0 && z <= length;
+    }
+};
+
+/// A solid rod with flat ends: exact distance, positive outside.
+struct RodField : ExactField {
+    struct Sample {
+        double distance;
+    };
+
+    Vec3 origin, axis;
+    double radius, length;
+
+    Sample sample(const Vec3& x) const {
+        const TubePoint p(x, origin, axis);
+        const double side = p.r - radius;
+        const double end = beyond_end(p.z);
+        if (side > 0.0 && end > 0.0) return {std::hypot(side, end)};
+        return {std::max(side, end)};
+    }
+    /// Inside only, where nodes touch: away from the nearer of side and end.
+    Vec3 gradient(const Vec3& x, const Sample& /*s*/) const {
+        const TubePoint p(x, origin, axis);
+        if (p.r - radius >= beyond_end(p.z) && p.r > 0.0) return p.radial / p.r;
+        return p.z > 0.5 * length ? axis : Vec3(-axis);
+    }
+    static bool accepts(const Vec3& /*x*/) { return true; }
+
+  private:
+    double beyond_end(double z) const {
+        return length == std::numeric_limits<double>::infinity()
+                   ? -std::numeric_limits<double>::infinity()
+                   : std::max(-z, z - length);
+    }
+};
+
+}  // namespace dem
