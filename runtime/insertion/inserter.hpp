@@ -30,6 +30,8 @@ class Inserter {
     std::uint64_t missing(std::uint32_t group) const;
 
   private:
+    void insert_group(const Scene& scene, std::uint32_t group, Particles& particles, double time);
+
     struct Progress {
         std::uint64_t count = 0;   ///< bodies of the group
         std::uint64_t placed = 0;  ///< so far; also the index of the next body within the group

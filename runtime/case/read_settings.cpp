@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// [run], [material.NAME], [output] and [measure.NAME]: sections that stand for themselves.
+#include "common/error.hpp"
+#include "runtime/case/scene_sections.hpp"
+
+namespace dem {
+
+RunSettings read_run(const Values& values) {
+    RunSettings run;
+    run.end_time = values.number("end_time");
+    run.time_step = values.optional_number("time_step");
+    run.time_step_fraction = values.number("time_step_divisor");
+    run.time_step_force = values.yes_no("time_step_force");
+    run.gravity = values.vector("gravity");
+    run.seed = values.count("seed");
+    run.threads = static_cast<int>(values.count("threads"));
+    run.stop_at_rest = values.word("stop") == "at_rest";
+    run.skin = values.optional_number("skin");
+    if (run.time_step && *run.time_step > run.end_time) {
+        throw Error(values.where("time_step"),
+                    "'" + values.text("time_step") +
+                        "' found, expected less than end_time = " + values.text("end_time"));
+    }
+    if (values.has("domain")) {
+        const Region region = values.region("domain");
+        const auto* box = std::get_if<BoxRegion>(&region);
+        if (box == nullptr) {
+            throw Error(values.where("domain"), "a cylinder found, expected 'box x y z  x y z'");
+        }
+        run.domain = box->box;
+    }
+    return run;
+}
+
+Material read_material(const Values& values) {
+    Material material;
+    material.name = own_name(values.section_name());
+    material.density = values.optional_number("density").value_or(0.0);
+    material.poissons_ratio = values.number("poissons_ratio");
+    const bool has_shear = values.has("shear_modulus");
+    if (has_shear == values.has("youngs_modulus")) {
+        throw Error(has_shear ? values.where("shear_modulus") : values.section_where(),
+                    std::string(has_shear ? "both" : "neither") +
+                        " youngs_modulus and shear_modulus in [" + values.section_name() +
+                        "], expected one of them");
+    }
+    material.youngs_modulus =
+        has_shear ? 2.0 * values.number("shear_modulus") * (1.0 + material.poissons_ratio)
+                  : values.number("youngs_modulus");
+    return material;
+}
+
+OutputSettings read_output(const Values& values, const RunSettings& run) {
+    OutputSettings output;
+    output.frames_every = values.optional_number("frames_every").value_or(run.end_time / 100.0);
+    output.history_every = values.optional_number("history_every").value_or(run.end_time / 1000.0);
+    output.surfaces = values.yes_no("surfaces");
+    return output;
+}
+
+MeasureSettings read_measure(const Values& values, const OutputSettings& output) {
+    MeasureSettings measure;
+    measure.name = own_name(values.section_name());
+    measure.kind = values.choice<MeasureSettings::Kind>("kind");
+    measure.every = values.optional_number("every").value_or(output.history_every);
+    return measure;
+}
+
+}  // namespace dem

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/error.hpp"
+#include "runtime/case/scene_sections.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace dem {
+
+namespace {
+
+enum class Shape : std::uint8_t { plane, cylinder, box };
+
+/// A face of the wall `base`: its own name and pose, the rest shared.
+Wall face(const Wall& base, const std::string& suffix, const Vec3& origin, const Vec3& z_axis,
+          const WallShape& shape) {
+    Wall wall = base;
+    if (!suffix.empty()) wall.name += "." + suffix;
+    wall.position = origin;
+    wall.orientation = Quat(Quat::FromTwoVectors(Vec3::UnitZ(), z_axis));
+    wall.shape = shape;
+    return wall;
+}
+
+void read_cylinder(const Values& values, const Wall& base, Scene& scene) {
+    const Vec3 point = values.vector("point");
+    const Vec3 axis = values.direction("axis");
+    CylinderWall side;
+    side.radius = values.number("radius");
+    side.inside = values.word("side") == "inside";
+    const std::optional<double> length = values.optional_number("length");
+    if (length) side.length = *length;
+    scene.walls.push_back(face(base, "", point, axis, side));
+    if (!side.inside) {
+        if (!values.has("ends")) return;
+        throw Error(values.where("ends"),
+                    "a rod (side = outside) always has both ends, expected "
+                    "no such key");
+    }
+    const std::string_view ends = values.word("ends");
+    const PlaneWall disc{side.radius};
+    if (ends == "bottom" || ends == "both") {
+        scene.walls.push_back(face(base, "bottom", point, axis, disc));
+    }
+    if (ends == "top" || ends == "both") {
+        if (!length) {
+            throw Error(values.where("ends"),
+                        "a top found on an infinite cylinder, expected "
+                        "'length' to say where it is");
+        }
+        scene.walls.push_back(face(base, "top", point + *length * axis, -axis, disc));
+    }
+}
+
+void read_box(const Values& values, const Wall& base, Scene& scene) {
+    const Vec3 lower = values.vector("lower");
+    const Vec3 upper = values.vector("upper");
+    if (!(lower.array() < upper.array()).all()) {
+        throw Error(values.where("upper"), "found '" + values.text("upper") +
+                                               "', expected it above 'lower' in x, y and z");
+    }
+    struct Face {
+        std::string_view name;
+        int axis;
+        double sign;  ///< of the inward normal
+    };
+    constexpr std::array<Face, 6> faces{{{"left", 0, 1.0},
+                                         {"right", 0, -1.0},
+                                         {"front", 1, 1.0},
+                                         {"back", 1, -1.0},
+                                         {"bottom", 2, 1.0},
+                                         {"top", 2, -1.0}}};
+    for (const Face& f : faces) {
+        if (values.word("open") == f.name) continue;
+        Vec3 origin = 0.5 * (lower + upper);
+        origin[f.axis] = f.sign > 0.0 ? lower[f.axis] : upper[f.axis];
+        const Vec3 inward = f.sign * Vec3::Unit(f.axis);
+        scene.walls.push_back(face(base, std::string(f.name), origin, inward, PlaneWall{}));
+    }
+}
+
+/// The axis and the point a wall turns about unless the case says otherwise.
+Vec3 rotation_axis(const Values& values, Shape shape) {
+    if (values.has("rotation_axis")) return values.direction("rotation_axis");
+    if (shape == Shape::plane) return values.direction("normal");
+    if (shape == Shape::cylinder) return values.direction("axis");
+    throw Error(values.section_where(), "no 'rotation_axis' in [" + values.section_name() +
+                                            "], a box that rotates needs it");
+}
+
+Vec3 rotation_point(const Values& values, Shape shape) {
+    if (values.has("rotation_point")) return values.vector("rotation_point");
+    if (shape != Shape::box) return values.vector("point");
+    return 0.5 * (values.vector("lower") + values.vector("upper"));
+}
+
+WallMotion read_motion(const Values& values, Shape shape) {
+    WallMotion motion;
+    motion.kind = values.choice<WallMotion::Kind>("motion");
+    switch (motion.kind) {
+        case WallMotion::Kind::none:
+            return motion;
+        case WallMotion::Kind::translate:
+            motion.velocity = values.vector("velocity");
+            break;
+        case WallMotion::Kind::rotate:
+            motion.rate = values.number("rate");
+            motion.axis = rotation_axis(values, shape);
+            motion.point = rotation_point(values, shape);
+            break;
+        case WallMotion::Kind::oscillate:
+            motion.axis = values.direction("direction");
+            motion.amplitude = values.number("amplitude");
+            motion.frequency = values.number("frequency");
+            break;
+    }
+    motion.from = values.number("from");
+    motion.until = values.optional_number("until").value_or(motion.until);
+    if (!(motion.until > motion.from)) {
+        throw Error(values.where("until"),
+                    "'" + values.text("until") +
+                        "' found, expected later than from = " + values.text("from"));
+    }
+    return motion;
+}
+
+}  // namespace
+
+void read_wall(const Values& values, Scene& scene) {
+    const auto shape = values.choice<Shape>("shape");
+    Wall base;
+    base.name = own_name(values.section_name());
+    base.material = material_index(scene, values.text("material"), values.where("material"));
+    base.motion = read_motion(values, shape);
+    switch (shape) {
+        case Shape::plane:
+            scene.walls.push_back(
+                face(base, "", values.vector("point"), values.direction("normal"), PlaneWall{}));
+            break;
+        case Shape::cylinder:
+            read_cylinder(values, base, scene);
+            break;
+        case Shape::box:
+            read_box(values, base, scene);
+            break;
+    }
+}
+
+}  // namespace dem

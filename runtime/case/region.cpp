@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/case/region.hpp"
+
+#include "common/error.hpp"
+
+#include <cmath>
+#include <sstream>
+
+namespace dem {
+
+namespace {
+
+/// Rounding of the case file's decimals, relative to the sizes compared.
+constexpr double tolerance = 1e-9;
+
+/// Points whose convex hull is the region: the corners, or points on the rims (360 of them: a hull
+/// too small by 4e-5 of the radius, and bodies are tested exactly later).
+std::vector<Vec3> hull(const Region& region) {
+    std::vector<Vec3> points;
+    if (const auto* box = std::get_if<BoxRegion>(&region)) {
+        for (int k = 0; k < 8; ++k) {
+            const Vec3 upper_here((k & 1) != 0, (k & 2) != 0, (k & 4) != 0);
+            points.push_back(box->box.lower +
+                             upper_here.cwiseProduct(box->box.upper - box->box.lower));
+        }
+        return points;
+    }
+    const auto& cylinder = std::get<CylinderRegion>(region);
+    const Vec3 axis = (cylinder.to - cylinder.from).normalized();
+    const Vec3 u = axis.unitOrthogonal();
+    const Vec3 v = axis.cross(u);
+    constexpr int rim_points = 360;
+    for (int k = 0; k < rim_points; ++k) {
+        const double phi = 2.0 * pi * k / rim_points;
+        const Vec3 radial = cylinder.radius * (std::cos(phi) * u + std::sin(phi) * v);
+        points.push_back(cylinder.from + radial);
+        points.push_back(cylinder.to + radial);
+    }
+    return points;
+}
+
+/// How far the region reaches into the wall [m]; <= 0: not at all.
+double depth(const Region& region, const Wall& wall, double time) {
+    const WallState state = wall_state(wall, time);
+    const Vec3 axis = state.body.orientation * Vec3::UnitZ();
+    const double front = support(region, axis) - axis.dot(state.position);
+    const double behind = support(region, -axis) + axis.dot(state.position);
+    if (const auto* plane = std::get_if<PlaneWall>(&wall.shape)) {
+        // A disc acts to its front only: a region wholly behind it is another room.
+        return std::isfinite(plane->radius) && front <= 0.0 ? 0.0 : behind;
+    }
+    const auto& cylinder = std::get<CylinderWall>(wall.shape);
+    const bool beyond = front <= 0.0 || -behind >= cylinder.length;
+    if (!cylinder.inside || (std::isfinite(cylinder.length) && beyond)) return 0.0;
+    double farthest = 0.0;
+    for (const Vec3& point : hull(region)) {
+        farthest = std::max(farthest, (point - state.position).cross(axis).norm());
+    }
+    return farthest - cylinder.radius;
+}
+
+}  // namespace
+
+double volume(const Region& region) {
+    if (const auto* box = std::get_if<BoxRegion>(&region)) {
+        return (box->box.upper - box->box.lower).prod();
+    }
+    const auto& cylinder = std::get<CylinderRegion>(region);
+    return pi * square(cylinder.radius) * (cylinder.to - cylinder.from).norm();
+}
+
+Aabb bounds(const Region& region) {
+    Aabb box;
+    for (int k = 0; k < 3; ++k) {
+        box.upper[k] = support(region, Vec3::Unit(k));
+        box.lower[k] = -support(region, -Vec3::Unit(k));
+    }
+    return box;
+}
+
+double support(const Region& region, const Vec3& n) {
+    if (const auto* box = std::get_if<BoxRegion>(&region)) {
+        return n.cwiseProduct(box->box.lower).cwiseMax(n.cwiseProduct(box->box.upper)).sum();
+    }
+    const auto& cylinder = std::get<CylinderRegion>(region);
+    const Vec3 axis = (cylinder.to - cylinder.from).normalized();
+    return std::max(n.dot(cylinder.from), n.dot(cylinder.to)) +
+           cylinder.radius * n.cross(axis).norm();
+}
+
+void check_region(const InsertionGroup& group, const std::vector<Wall>& walls) {
+    const Aabb box = bounds(group.region);
+    const double size = (box.upper - box.lower).norm() + box.upper.norm() + box.lower.norm();
+    for (const Wall& wall : walls) {
+        const double reach = depth(group.region, wall, group.start);
+        if (reach <= tolerance * size) continue;
+        std::ostringstream message;
+        message << "the region of [particles." << group.name << "] reaches " << reach * 1e3
+                << " mm into wall '" << wall.name << "', expected it inside the walls";
+        throw Error(group.where, message.str());
+    }
+}
+
+}  // namespace dem

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/case/values.hpp"
+
+#include "common/error.hpp"
+#include "common/units.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace dem {
+
+namespace {
+
+std::string quoted(std::string_view text) {
+    return "'" + std::string(text) + "'";
+}
+
+std::vector<std::string> strings(const std::vector<std::string_view>& views) {
+    return {views.begin(), views.end()};
+}
+
+bool contains(std::string_view words, std::string_view word) {
+    const auto all = split(words, ' ');
+    return std::find(all.begin(), all.end(), word) != all.end();
+}
+
+std::vector<std::string_view> blank_separated(std::string_view text) {
+    std::vector<std::string_view> words;
+    for (const std::string_view piece : split(text, ' ')) {
+        for (const std::string_view word : split(piece, '\t')) words.push_back(word);
+    }
+    return words;
+}
+
+/// Where the known keys of other sections hold `key`: "; it belongs in [contact]".
+std::string other_section(std::string_view key) {
+    for (const SectionKind& kind : section_kinds()) {
+        if (kind.find(key) != nullptr) {
+            return ", it belongs in [" + std::string(kind.pattern) + "]";
+        }
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+    const std::string nearest = nearest_word(word, known);
+    if (!nearest.empty()) return ", did you mean '" + nearest + "'?";
+    std::string text;
+    for (const std::string& k : known) text += (text.empty() ? "" : ", ") + k;
+    return known.empty() ? ", there is none" : ", expected one of: " + text;
+}
+
+std::vector<double> parse_quantities(std::string_view text, Dimension dimension) {
+    std::vector<double> values;
+    std::size_t without_unit = 0;  // the last ones of `values`
+    bool any_unit = false;
+    const auto apply = [&](std::string_view unit) {
+        const double factor = unit_factor(unit, dimension);
+        for (std::size_t k = values.size() - without_unit; k < values.size(); ++k) {
+            values[k] *= factor;
+        }
+        without_unit = 0;
+        any_unit = true;
+    };
+    for (const std::string_view word : blank_separated(text)) {
+        const bool is_number =
+            word != "1/s" &&
+            std::string_view("+-.0123456789").find(word.front()) != std::string_view::npos;
+        if (!is_number && without_unit > 0 && !word.starts_with("nan") &&
+            !word.starts_with("inf")) {
+            apply(word);
+            continue;
+        }
+        const std::size_t sign = word.front() == '+' ? 1 : 0;
+        double value = 0.0;
+        const auto [end, failure] =
+            std::from_chars(word.data() + sign, word.data() + word.size(), value);
+        const std::string_view unit = word.substr(static_cast<std::size_t>(end - word.data()));
+        // Anything odd (NaN, too large, no number) gets the message of the single quantity.
+        if (failure != std::errc() || !(value - value == 0.0)) parse_quantity(word, dimension);
+        values.push_back(value);
+        ++without_unit;
+        if (!unit.empty()) apply(unit);
+    }
+    if (any_unit && without_unit > 0) {
+        throw Error(quoted(text) + " found, expected a unit after every number or after none");
+    }
+    return values;
+}
+
+Region parse_region(std::string_view text) {
+    const auto words = blank_separated(text);
+    const std::string_view shape = words.front();
+    if (shape != "box" && shape != "cylinder") {
+        throw Error(quoted(shape) +
+                    " found, expected a region: 'box x y z  x y z' or 'cylinder x "
+                    "y z  x y z  radius', with units");
+    }
+    const std::size_t expected = shape == "box" ? 6 : 7;
+    const auto v = parse_quantities(text.substr(shape.size()), Dimension::length);
+    if (v.size() != expected) {
+        throw Error(std::to_string(v.size()) + " numbers found after '" + std::string(shape) +
+                    "', expected " + std::to_string(expected));
+    }
+    const Vec3 first(v[0], v[1], v[2]);
+    const Vec3 second(v[3], v[4], v[5]);
+    if (shape == "box") {
+        if (!(first.array() < second.array()).all()) {
+            throw Error("the second corner of a box must be above the first in x, y and z");
+        }
+        return BoxRegion{{first, second}};
+    }
+    if (first == second) throw Error("the two ends of the cylinder's axis are the same point");
+    if (!(v[6] > 0.0)) throw Error("radius of the cylinder found <= 0, expected > 0");
+    return CylinderRegion{first, second, v[6]};
+}
+
+Values::Values(const CaseSection& section, const SectionKind& kind)
+    : section_(section), kind_(kind) {
+    for (const CaseEntry& entry : section_.entries) check_key(entry);
+    for (const Key& key : kind_.keys) {
+        if (!key.required || has(key.name) || !applies(key)) continue;
+        throw Error(section_.where, "no '" + std::string(key.name) + "' in [" + section_.name +
+                                        "], it is required" +
+                                        (key.when.empty() ? "" : " for " + std::string(key.when)));
+    }
+}
+
+void Values::check_key(const CaseEntry& entry) const {
+    const Key* key = kind_.find(entry.key);
+    if (key == nullptr) {
+        std::vector<std::string> known;
+        for (const Key& k : kind_.keys) known.emplace_back(k.name);
+        const std::string elsewhere = other_section(entry.key);
+        throw Error(entry.where,
+                    "unknown key '" + entry.key + "' in [" + section_.name + "]" +
+                        (elsewhere.empty() ? suggestion(entry.key, known) : elsewhere));
+    }
+    if (!applies(*key)) {
+        const std::string_view control = split(key->when, '=')[0];
+        throw Error(entry.where, "key '" + entry.key + "' has no meaning for " +
+                                     std::string(control) + " = " + std::string(word(control)) +
+                                     ", it needs " + std::string(key->when));
+    }
+}
+
+bool Values::applies(const Key& key) const {
+    if (key.when.empty()) return true;
+    const auto condition = split(key.when, '=');
+    const auto choices = split(condition[1], '|');
+    return std::find(choices.begin(), choices.end(), word(condition[0])) != choices.end();
+}
+
+const Key& Values::key_of(std::string_view key) const {
+    const Key* found = kind_.find(key);
+    DEM_ASSERT(found != nullptr);
+    return *found;
+}
+
+std::string Values::where(std::string_view key) const {
+    const CaseEntry* entry = section_.find(key);
+    if (entry == nullptr) return section_.where;
+    return entry->where.starts_with("--set") ? entry->where : entry->where + ": " + entry->key;
+}
+
+std::string Values::text(std::string_view key) const {
+    const CaseEntry* entry = section_.find(key);
+    return entry != nullptr ? entry->value : std::string(key_of(key).standard);
+}
+
+std::string_view Values::word(std::string_view key) const {
+    return split(key_of(key).words, ' ')[choice_index(key)];
+}
+
+std::size_t Values::choice_index(std::string_view key) const {
+    const Key& k = key_of(key);
+    const std::string value = text(key);
+    const auto words = split(k.words, ' ');
+    const auto found = std::find(words.begin(), words.end(), value);
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+    if (value.empty()) {
+        throw Error(section_.where,
+                    "no '" + std::string(key) + "' in [" + section_.name + "], it is required");
+    }
+    if (contains(k.later, value)) {
+        throw Error(where(key),
+                    quoted(value) + " is not in this version" + suggestion("", strings(words)));
+    }
+    throw Error(where(key), "unknown choice " + quoted(value) + suggestion(value, strings(words)));
+}
+
+void Values::check_range(const Key& key, double value) const {
+    if (key.range.contains(value)) return;
+    throw Error(where(key.name),
+                quoted(text(key.name)) + " found, expected " + range_text(key.range));
+}
+
+double Values::number(std::string_view key) const {
+    const Key& k = key_of(key);
+    double value = 0.0;
+    try {
+        value = parse_quantity(text(key), k.dimension);
+    } catch (const Error& error) {
+        throw Error(where(key), error.what());
+    }
+    check_range(k, value);
+    return value;
+}
+
+std::optional<double> Values::optional_number(std::string_view key) const {
+    const std::string value = text(key);
+    if (value.empty() || contains(key_of(key).words, value)) return std::nullopt;
+    return number(key);
+}
+
+std::uint64_t Values::count(std::string_view key) const {
+    const std::string value = text(key);
+    std::uint64_t n = 0;
+    const auto [end, failure] = std::from_chars(value.data(), value.data() + value.size(), n);
+    if (failure != std::errc() || end != value.data() + value.size()) {
+        throw Error(where(key), quoted(value) + " found, expected a whole number " +
+                                    range_text(key_of(key).range));
+    }
+    check_range(key_of(key), static_cast<double>(n));
+    return n;
+}
+
+bool Values::yes_no(std::string_view key) const {
+    const std::string value = text(key);
+    if (value != "yes" && value != "no") {
+        throw Error(where(key), quoted(value) + " found, expected yes or no");
+    }
+    return value == "yes";
+}
+
+Vec3 Values::vector(std::string_view key) const {
+    std::vector<double> v;
+    try {
+        v = parse_quantities(text(key), key_of(key).dimension);
+    } catch (const Error& error) {
+        throw Error(where(key), error.what());
+    }
+    if (v.size() != 3) {
+        throw Error(where(key), quoted(text(key)) + " found, expected three numbers x y z");
+    }
+    return {v[0], v[1], v[2]};
+}
+
+Vec3 Values::direction(std::string_view key) const {
+    const Vec3 v = vector(key);
+    const double length = v.stableNorm();
+    if (!(length > 0.0)) throw Error(where(key), "a zero vector found, expected a direction");
+    return v / length;
+}
+
+std::optional<Quat> Values::optional_orientation(std::string_view key) const {
+    const std::string value = text(key);
+    if (contains(key_of(key).words, value)) return std::nullopt;
+    std::vector<double> v;
+    try {
+        v = parse_quantities(value, Dimension::none);
+    } catch (const Error& error) {
+        throw Error(where(key), error.what());
+    }
+    const Quat q = v.size() == 4 ? Quat(v[0], v[1], v[2], v[3]) : Quat(0.0, 0.0, 0.0, 0.0);
+    if (v.size() != 4 || !(q.norm() > 0.0)) {
+        throw Error(where(key),
+                    quoted(value) + " found, expected 'random' or a quaternion w x y z");
+    }
+    return q.normalized();
+}
+
+Region Values::region(std::string_view key) const {
+    try {
+        return parse_region(text(key));
+    } catch (const Error& error) {
+        throw Error(where(key), error.what());
+    }
+}
+
+}  // namespace dem
