@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+namespace dem {
+
+/// A file mapped read-only into memory for as long as the object lives. Programs of this project
+/// replace files by renaming, never in place, so a mapped file does not change underneath.
+class MemoryMap {
+  public:
+    /// Throws Error naming the file: missing, a directory, not readable.
+    explicit MemoryMap(const std::filesystem::path& path);
+    ~MemoryMap();
+    MemoryMap(const MemoryMap&) = delete;
+    MemoryMap& operator=(const MemoryMap&) = delete;
+
+    std::span<const std::byte> bytes() const { return bytes_; }
+
+  private:
+    std::span<const std::byte> bytes_;
+};
+
+}  // namespace dem

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/shapes/particle_template.hpp"
+
+#include <string>
+
+/// The ranges and the consistency that `demrun` relies on without looking again: every number
+/// finite, every index inside its array, counts that match, bounding spheres that bound. Reader and
+/// writer both call this, so that a template that was written can be read.
+namespace dem {
+
+/// "FILE: shape 3 'candy'", on one line whatever the name holds.
+std::string shape_place(const std::string& where, std::size_t index, const std::string& name);
+
+/// Throws Error, "WHERE: what was found, what was expected". Costs one pass over the arrays.
+void check_template(const ParticleTemplate& shape, const std::string& where);
+
+/// The part of a surface of revolution; `bounding_radius` [m] and `volume` [m^3] are the
+/// template's.
+void check_sr_shape(const SrShape& shape, double bounding_radius, double volume,
+                    const std::string& where);
+
+}  // namespace dem

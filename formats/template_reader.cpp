@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "formats/template_reader.hpp"
+
+#include "common/error.hpp"
+#include "formats/memory_map.hpp"
+#include "formats/template_check.hpp"
+#include "formats/template_header.hpp"
+#include "formats/template_layout.hpp"
+
+#include <algorithm>
+
+namespace dem {
+
+namespace {
+
+/// Turns verified tables into our structs, whose arrays point into the buffer.
+class Decoder {
+  public:
+    explicit Decoder(std::shared_ptr<const void> owner) : owner_(std::move(owner)) {}
+
+    ParticleTemplate decode(const schema::Shape& shape, const std::string& where) const {
+        ParticleTemplate result;
+        result.name = shape.name()->str();
+        result.mass_properties = decode(*shape.mass_properties());
+        result.bounding_radius = shape.bounding_radius();
+        result.mean_squared_surface_distance = shape.mean_squared_surface_distance();
+        result.is_convex = shape.is_convex();
+        if (const schema::DisplayMesh* mesh = shape.display_mesh()) {
+            result.display_mesh = {array<Vec3>(mesh->vertices()),
+                                   array<std::array<std::uint32_t, 3>>(mesh->triangles()),
+                                   mesh->max_deviation()};
+        }
+        result.certificate = certificate(shape, where);
+        if (const schema::SphereShape* sphere = shape.data_as_SphereShape()) {
+            result.shape = Sphere{sphere->radius()};
+        } else if (const schema::SrShape* sr = shape.data_as_SrShape()) {
+            result.shape = decode(*sr);
+        } else {
+            throw Error(where,
+                        "is of a kind that this program does not know, expected sphere or "
+                        "sr; make the template again or update the program");
+        }
+        return result;
+    }
+
+  private:
+    template <class Used, class Stored>
+    SharedArray<Used> array(const flatbuffers::Vector<Stored>* values) const {
+        using Element = std::remove_const_t<std::remove_pointer_t<Stored>>;
+        static_assert(layout::agree<Element, Used>);
+        return {owner_, std::span(reinterpret_cast<const Used*>(values->Data()), values->size())};
+    }
+
+    static Vec3 vector(const schema::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+    static MassProperties decode(const schema::MassProperties& m) {
+        const schema::Quat& q = m.principal_axes();
+        return {m.volume(), vector(m.center_of_mass()), Quat(q.w(), q.x(), q.y(), q.z()),
+                vector(m.principal_moments_per_density())};
+    }
+
+    static Certificate certificate(const schema::Shape& shape, const std::string& where) {
+        Certificate result;
+        const auto* names = shape.certificate_names();
+        const auto* values = shape.certificate_values();
+        const std::size_t count = names == nullptr ? 0 : names->size();
+        if (count != (values == nullptr ? 0 : values->size())) {
+            throw Error(where,
+                        "the certificate's names and values differ in number; make the "
+                        "template again");
+        }
+        for (flatbuffers::uoffset_t i = 0; i < count; ++i) {
+            result.emplace_back(names->Get(i)->str(), values->Get(i));
+        }
+        return result;
+    }
+
+    SrShape decode(const schema::SrShape& sr) const {
+        const schema::SrDimensions& d = *sr.dimensions();
+        SrShape result;
+        result.is_convex = sr.is_convex();
+        result.bottom_z = d.bottom_z();
+        result.top_z = d.top_z();
+        result.max_radius = d.max_radius();
+        result.bounding_radius = d.bounding_radius();
+        result.equivalent_diameter = d.equivalent_diameter();
+        result.major_axis_length = d.major_axis_length();
+        if (const schema::SupportMap* map = sr.support()) {
+            result.support = {array<SupportPiece>(map->pieces()), array<double>(map->piece_end()),
+                              array<std::uint32_t>(map->first_piece())};
+        }
+        result.sdf = decode(*sr.sdf());
+        result.curvature = array<CurvatureSample>(sr.curvature());
+        if (const schema::SurfaceNodes* nodes = sr.nodes()) {
+            result.nodes.count = nodes->count();
+            result.nodes.nodes = array<SurfaceNodes::Node>(nodes->nodes());
+            result.nodes.blocks = array<SurfaceNodes::Ball>(nodes->blocks());
+            result.nodes.super_blocks = array<SurfaceNodes::Ball>(nodes->super_blocks());
+            result.nodes.stencil = array<std::uint32_t>(nodes->stencil());
+        }
+        return result;
+    }
+
+    SdfQuadtree decode(const schema::SdfQuadtree& sdf) const {
+        const schema::SdfGrid& grid = *sdf.grid();
+        SdfQuadtree result;
+        result.origin_r = grid.origin_r();
+        result.origin_z = grid.origin_z();
+        result.base_size = grid.base_size();
+        result.lipschitz_slack = grid.lipschitz_slack();
+        result.cells_r = grid.cells_r();
+        result.cells_z = grid.cells_z();
+        result.cells = array<SdfCell>(sdf.cells());
+        result.values = array<double>(sdf.values());
+        return result;
+    }
+
+    std::shared_ptr<const void> owner_;
+};
+
+/// The root table, once every offset and length in the payload is known to stay inside it.
+const schema::TemplateFile& verified_root(std::span<const std::byte> payload,
+                                          const std::string& where) {
+    constexpr flatbuffers::uoffset_t max_depth = 16;
+    // A table takes at least four bytes; the default limit would refuse a library of a million.
+    const auto max_tables = static_cast<flatbuffers::uoffset_t>(payload.size() / 4);
+    const auto* data = reinterpret_cast<const std::uint8_t*>(payload.data());
+    if (payload.size() <= largest_template_payload) {
+        flatbuffers::Verifier verifier(data, payload.size(), max_depth, max_tables);
+        if (schema::VerifyTemplateFileBuffer(verifier)) return *schema::GetTemplateFile(data);
+    }
+    throw Error(where, "is damaged: its content is not that of a template, make it again");
+}
+
+}  // namespace
+
+TemplateFile read_template(std::shared_ptr<const void> owner, std::span<const std::byte> bytes,
+                           const std::string& where) {
+    const schema::TemplateFile& root = verified_root(template_payload(bytes, where), where);
+    if (root.shapes()->size() == 0) {
+        throw Error(where, "holds no shape, expected at least one; make it again");
+    }
+    TemplateFile result;
+    result.command = root.command()->str();
+    result.input_hash = root.input_hash();
+    result.shapegen_version = root.shapegen_version()->str();
+    result.shapes.reserve(root.shapes()->size());
+    const Decoder decoder(std::move(owner));
+    for (const schema::Shape* shape : *root.shapes()) {
+        const std::string place = shape_place(where, result.shapes.size(), shape->name()->str());
+        result.shapes.push_back(decoder.decode(*shape, place));
+        check_template(result.shapes.back(), place);
+    }
+    return result;
+}
+
+TemplateFile read_template(const std::filesystem::path& path) {
+    const auto map = std::make_shared<const MemoryMap>(path);
+    return read_template(map, map->bytes(), path.string());
+}
+
+}  // namespace dem

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "formats/template_writer.hpp"
+
+#include "common/atomic_file.hpp"
+#include "common/error.hpp"
+#include "formats/template_check.hpp"
+#include "formats/template_header.hpp"
+#include "formats/template_layout.hpp"
+
+#include <span>
+#include <string>
+
+namespace dem {
+
+namespace {
+
+using flatbuffers::FlatBufferBuilder;
+using flatbuffers::Offset;
+
+schema::Vec3 stored(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+/// Our arrays as vectors of the schema's structs of the same layout (formats/template_layout.hpp).
+template <class Stored, class Used>
+auto structs(FlatBufferBuilder& fbb, const SharedArray<Used>& values) {
+    static_assert(layout::agree<Stored, Used>);
+    return fbb.CreateVectorOfStructs(reinterpret_cast<const Stored*>(values.data()), values.size());
+}
+template <class T>
+auto scalars(FlatBufferBuilder& fbb, const SharedArray<T>& values) {
+    return fbb.CreateVector(values.data(), values.size());
+}
+
+Offset<schema::SupportMap> encode(FlatBufferBuilder& fbb, const SupportMap& map) {
+    if (map.pieces.empty()) return 0;
+    const auto pieces = structs<schema::SupportPiece>(fbb, map.pieces);
+    const auto ends = scalars(fbb, map.piece_end);
+    const auto first = scalars(fbb, map.first_piece);
+    return schema::CreateSupportMap(fbb, pieces, ends, first);
+}
+
+Offset<schema::SdfQuadtree> encode(FlatBufferBuilder& fbb, const SdfQuadtree& sdf) {
+    const schema::SdfGrid grid(sdf.origin_r, sdf.origin_z, sdf.base_size, sdf.lipschitz_slack,
+                               sdf.cells_r, sdf.cells_z);
+    const auto cells = structs<schema::SdfCell>(fbb, sdf.cells);
+    const auto values = scalars(fbb, sdf.values);
+    return schema::CreateSdfQuadtree(fbb, &grid, cells, values);
+}
+
+Offset<schema::SurfaceNodes> encode(FlatBufferBuilder& fbb, const SurfaceNodes& nodes) {
+    if (nodes.count == 0) return 0;
+    const auto points = structs<schema::Node>(fbb, nodes.nodes);
+    const auto blocks = structs<schema::Ball>(fbb, nodes.blocks);
+    const auto super_blocks = structs<schema::Ball>(fbb, nodes.super_blocks);
+    const auto stencil = scalars(fbb, nodes.stencil);
+    return schema::CreateSurfaceNodes(fbb, nodes.count, points, blocks, super_blocks, stencil);
+}
+
+Offset<schema::DisplayMesh> encode(FlatBufferBuilder& fbb, const DisplayMesh& mesh) {
+    if (mesh.triangles.empty()) return 0;
+    const auto vertices = structs<schema::Vec3>(fbb, mesh.vertices);
+    const auto triangles = structs<schema::Triangle>(fbb, mesh.triangles);
+    return schema::CreateDisplayMesh(fbb, vertices, triangles, mesh.max_deviation);
+}
+
+struct EncodedKind {
+    schema::ShapeData type;
+    Offset<void> data;
+};
+
+struct EncodeKind {
+    FlatBufferBuilder& fbb;
+
+    EncodedKind operator()(const Sphere& sphere) const {
+        return {schema::ShapeData_SphereShape,
+                schema::CreateSphereShape(fbb, sphere.radius).Union()};
+    }
+    EncodedKind operator()(const SrShape& sr) const {
+        const schema::SrDimensions dimensions(sr.bottom_z, sr.top_z, sr.max_radius,
+                                              sr.bounding_radius, sr.equivalent_diameter,
+                                              sr.major_axis_length);
+        const auto support = encode(fbb, sr.support);
+        const auto sdf = encode(fbb, sr.sdf);
+        const auto curvature = structs<schema::CurvatureSample>(fbb, sr.curvature);
+        const auto nodes = encode(fbb, sr.nodes);
+        return {schema::ShapeData_SrShape, schema::CreateSrShape(fbb, sr.is_convex, &dimensions,
+                                                                 support, sdf, curvature, nodes)
+                                               .Union()};
+    }
+};
+
+Offset<schema::Shape> encode(FlatBufferBuilder& fbb, const ParticleTemplate& shape) {
+    const MassProperties& m = shape.mass_properties;
+    const Quat& q = m.principal_axes;
+    const schema::MassProperties mass(m.volume, stored(m.center_of_mass),
+                                      {q.w(), q.x(), q.y(), q.z()},
+                                      stored(m.principal_moments_per_density));
+    std::vector<Offset<flatbuffers::String>> names;
+    std::vector<double> values;
+    for (const auto& [name, value] : shape.certificate) {
+        names.push_back(fbb.CreateSharedString(name));  // a library repeats them in every shape
+        values.push_back(value);
+    }
+    const auto certificate_names = fbb.CreateVector(names);
+    const auto certificate_values = fbb.CreateVector(values);
+    const auto name = fbb.CreateString(shape.name);
+    const auto mesh = encode(fbb, shape.display_mesh);
+    const EncodedKind kind = std::visit(EncodeKind{fbb}, shape.shape);
+    return schema::CreateShape(fbb, name, &mass, shape.bounding_radius,
+                               shape.mean_squared_surface_distance, shape.is_convex, mesh,
+                               certificate_names, certificate_values, kind.type, kind.data);
+}
+
+template <class T>
+std::uint64_t byte_size(const SharedArray<T>& values) {
+    return values.size() * sizeof(T);
+}
+
+/// An upper bound of what one shape adds to the payload [bytes].
+std::uint64_t largest_size(const ParticleTemplate& shape) {
+    std::uint64_t size = 2048 + shape.name.size();  // tables, alignment, places in vectors
+    for (const auto& entry : shape.certificate) size += 64 + entry.first.size();
+    size += byte_size(shape.display_mesh.vertices) + byte_size(shape.display_mesh.triangles);
+    if (const auto* sr = std::get_if<SrShape>(&shape.shape)) {
+        size += byte_size(sr->support.pieces) + byte_size(sr->support.piece_end) +
+                byte_size(sr->support.first_piece) + byte_size(sr->sdf.cells) +
+                byte_size(sr->sdf.values) + byte_size(sr->curvature) + byte_size(sr->nodes.nodes) +
+                byte_size(sr->nodes.blocks) + byte_size(sr->nodes.super_blocks) +
+                byte_size(sr->nodes.stencil);
+    }
+    return size;
+}
+
+}  // namespace
+
+flatbuffers::DetachedBuffer encode_template(const TemplateFile& content) {
+    // The builder itself only asserts that it stays within its limit.
+    const std::uint64_t frame = 4096 + content.command.size() + content.shapegen_version.size() +
+                                content.shapes.size() * sizeof(flatbuffers::uoffset_t);
+    FlatBufferBuilder fbb(1 << 16);
+    std::vector<Offset<schema::Shape>> shapes;
+    shapes.reserve(content.shapes.size());
+    for (const ParticleTemplate& shape : content.shapes) {
+        if (fbb.GetSize() + largest_size(shape) + frame > largest_template_payload) {
+            throw Error("shape " + std::to_string(shapes.size()) + " of " +
+                        std::to_string(content.shapes.size()) +
+                        ": the template exceeds the 2 GB that one file can hold, split the library "
+                        "or lower the resolution");
+        }
+        shapes.push_back(encode(fbb, shape));
+    }
+    const auto command = fbb.CreateString(content.command);
+    const auto version = fbb.CreateString(content.shapegen_version);
+    const auto all = fbb.CreateVector(shapes);
+    fbb.Finish(schema::CreateTemplateFile(fbb, command, content.input_hash, version, all));
+    return fbb.Release();
+}
+
+void write_template(const std::filesystem::path& path, const TemplateFile& content) {
+    if (content.shapes.empty()) throw Error(path.string(), "no shape to write");
+    for (std::size_t i = 0; i < content.shapes.size(); ++i) {
+        check_template(content.shapes[i], shape_place(path.string(), i, content.shapes[i].name));
+    }
+    const flatbuffers::DetachedBuffer payload = encode_template(content);
+    const auto bytes = std::as_bytes(std::span(payload.data(), payload.size()));
+    AtomicFile file(path);
+    file.write(template_header(bytes));
+    file.write(bytes);
+    file.commit();
+}
+
+}  // namespace dem

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/error.hpp"
+#include "common/random.hpp"
+#include "common/state_hash.hpp"
+#include "formats/template_reader.hpp"
+#include "tests/formats/sample_template.hpp"
+
+#include <gtest/gtest.h>
+
+namespace dem {
+namespace {
+
+/// True when the bytes are taken for a template; every array of it is then walked from end to end,
+/// so that the address sanitizer sees a view that leaves the file.
+bool is_accepted(std::span<const std::byte> bytes) {
+    sample::Bytes copy(bytes.size());
+    if (!bytes.empty()) std::memcpy(copy.bytes.data(), bytes.data(), bytes.size());
+    try {
+        const TemplateFile file = read_template(copy.memory, copy.bytes, "x.tpl");
+        StateHash hash;
+        for (const ParticleTemplate& t : file.shapes) {
+            for (const Vec3& v : t.display_mesh.vertices) hash.add(std::span(v.data(), 3));
+            if (const auto* sr = std::get_if<SrShape>(&t.shape)) {
+                hash.add(sr->support.pieces.span());
+                hash.add(sr->sdf.values.span());
+                hash.add(sr->curvature.span());
+                hash.add(sr->nodes.nodes.span());
+                hash.add(sr->nodes.stencil.span());
+            }
+        }
+        return true;
+    } catch (const Error& e) {
+        EXPECT_EQ(std::string(e.what()).rfind("x.tpl: ", 0), 0U) << e.what();
+        EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << e.what();
+        return false;
+    }
+}
+
+TEST(TemplateFuzz, EveryTruncationIsRejected) {
+    const sample::Bytes good = sample::unchecked(sample::file());
+    ASSERT_TRUE(is_accepted(good.bytes));
+    for (std::size_t size = 0; size < good.bytes.size(); ++size) {
+        ASSERT_FALSE(is_accepted(good.bytes.first(size))) << size;
+    }
+}
+
+TEST(TemplateFuzz, EveryChangedByteIsRejected) {
+    const sample::Bytes good = sample::unchecked(sample::file());
+    Random random(1, 0);
+    for (std::size_t i = 0; i < good.bytes.size(); ++i) {
+        const std::byte old = good.bytes[i];
+        // Every bit of the header and one or more random bits of every byte of the payload.
+        const int tries = i < template_header_size ? 8 : 1;
+        for (int k = 0; k < tries; ++k) {
+            const unsigned change = i < template_header_size
+                                        ? 1U << k
+                                        : 1U + static_cast<unsigned>(random.next() % 255);
+            good.bytes[i] = old ^ static_cast<std::byte>(change);
+            ASSERT_FALSE(is_accepted(good.bytes)) << "byte " << i;
+        }
+        good.bytes[i] = old;
+    }
+    ASSERT_TRUE(is_accepted(good.bytes));
+}
+
+TEST(TemplateFuzz, RandomBytesAreRejectedWithAndWithoutAHeader) {
+    for (std::uint64_t round = 0; round < 2000; ++round) {
+        Random random(2, round);
+        sample::Bytes soup(random.next() % 3000);
+        for (std::byte& b : soup.bytes) b = static_cast<std::byte>(random.next());
+        EXPECT_FALSE(is_accepted(soup.bytes));
+        EXPECT_FALSE(is_accepted(sample::sealed(soup.bytes).bytes));
+    }
+}
+
+TEST(TemplateFuzz, AMutatedPayloadUnderARightChecksumNeverLeavesTheBuffer) {
+    const flatbuffers::DetachedBuffer payload = encode_template(sample::file());
+    const auto good = std::as_bytes(std::span(payload.data(), payload.size()));
+    int rejected = 0;
+    for (std::uint64_t round = 0; round < 10000; ++round) {
+        Random random(3, round);
+        std::vector<std::byte> bytes(good.begin(), good.end());
+        for (std::uint64_t k = 1 + random.next() % 4; k > 0; --k) {
+            const std::size_t at = random.next() % bytes.size();
+            switch (random.next() % 4) {
+                case 0:
+                    bytes[at] = static_cast<std::byte>(random.next());
+                    break;
+                case 1:
+                    bytes[at] = static_cast<std::byte>(0xff);
+                    break;
+                case 2: {  // an offset or a length that is out by a little
+                    const std::size_t word = at & ~std::size_t{3};
+                    std::uint32_t value = 0;
+                    if (word + 4 > bytes.size()) break;
+                    std::memcpy(&value, &bytes[word], 4);
+                    value += static_cast<std::uint32_t>(random.next() % 65) - 32U;
+                    std::memcpy(&bytes[word], &value, 4);
+                    break;
+                }
+                default:
+                    bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(at));
+                    break;
+            }
+        }
+        rejected += is_accepted(sample::sealed(bytes).bytes) ? 0 : 1;
+    }
+    // Many a changed last digit is as good as the old one; offsets and lengths are not.
+    EXPECT_GT(rejected, 3000);
+}
+
+}  // namespace
+}  // namespace dem
