@@ -3,8 +3,8 @@
 
 #include "common/error.hpp"
 #include "common/math/types.hpp"
+#include "formats/number_text.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -36,9 +36,7 @@ struct ValueCheck {
 
   private:
     [[noreturn]] void fail(double value, const char* name, const char* expected) const {
-        char digits[32];
-        const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-        throw Error(where, std::string(name) + " is " + std::string(digits, end) + ", expected " +
+        throw Error(where, std::string(name) + " is " + number_text(value) + ", expected " +
                                expected + "; make the template again");
     }
 };

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "formats/run_summary.hpp"
+
+#include "common/atomic_file.hpp"
+
+#include <cinttypes>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+namespace dem {
+
+void write_summary(const std::filesystem::path& path, const RunSummary& summary) {
+    using Json = nlohmann::ordered_json;
+    // A 64-bit number would lose its last digits in readers that know doubles only.
+    char hash[17];
+    std::snprintf(hash, sizeof hash, "%016" PRIx64, summary.state_hash);
+    Json measures = Json::object();
+    for (const auto& [name, value] : summary.measures) measures[name] = value;
+    Json inputs = Json::object();
+    for (const auto& [name, input_hash] : summary.inputs) inputs[name] = input_hash;
+    const Json json = {{"case", summary.case_path},
+                       {"end", summary.end},
+                       {"steps", summary.steps},
+                       {"time", summary.time},
+                       {"time_step", summary.time_step},
+                       {"particles", summary.particles},
+                       {"wall_time", summary.wall_time},
+                       {"microseconds_per_particle_step", summary.microseconds_per_particle_step},
+                       {"threads", summary.threads},
+                       {"seed", summary.seed},
+                       {"state_hash", hash},
+                       {"measures", measures},
+                       {"inputs", inputs},
+                       {"versions", {{"shapedem", DEM_VERSION}, {"compiler", __VERSION__}}}};
+    write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace dem

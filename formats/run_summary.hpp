@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dem {
+
+/// What summary.json says about a finished run; SI.
+struct RunSummary {
+    std::string case_path;
+    std::string end;  ///< "end_time", "at_rest", "interrupted"
+    std::uint64_t steps = 0;
+    double time = 0.0;       ///< simulated [s]
+    double time_step = 0.0;  ///< [s]
+    std::uint64_t particles = 0;
+    double wall_time = 0.0;                       ///< [s]
+    double microseconds_per_particle_step = 0.0;  ///< wall time over all particle steps
+    int threads = 1;
+    std::uint64_t seed = 0;
+    std::uint64_t state_hash = 0;  ///< of the final state, written as 16 hex digits
+    std::vector<std::pair<std::string, double>> measures;     ///< final values, by name
+    std::vector<std::pair<std::string, std::string>> inputs;  ///< template file, hash of its input
+};
+
+/// Writes summary.json, whole or not at all. A value that is not finite becomes null.
+void write_summary(const std::filesystem::path& path, const RunSummary& summary);
+
+}  // namespace dem

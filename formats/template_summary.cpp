@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "formats/template_summary.hpp"
+
+#include "formats/template_header.hpp"
+
+#include <algorithm>
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+namespace dem {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Counts {
+    std::uint64_t nodes = 0, spheres = 0, vertices = 0, triangles = 0, cells = 0;
+};
+
+Counts counts(const ParticleTemplate& shape) {
+    Counts n;
+    n.vertices = shape.display_mesh.vertices.size();
+    n.triangles = shape.display_mesh.triangles.size();
+    if (std::holds_alternative<Sphere>(shape.shape)) n.spheres = 1;
+    if (const auto* sr = std::get_if<SrShape>(&shape.shape)) {
+        n.nodes = sr->nodes.count;
+        for (const SdfCell& cell : sr->sdf.cells) n.cells += std::uint64_t{1} << 2 * cell.level;
+    }
+    return n;
+}
+
+std::string hash_text(std::uint64_t hash) {
+    char digits[17];
+    std::snprintf(digits, sizeof digits, "%016" PRIx64, hash);
+    return digits;
+}
+
+Json json_of(const ParticleTemplate& shape) {
+    const MassProperties& mass = shape.mass_properties;
+    const Vec3& c = mass.center_of_mass;
+    const Vec3& moments = mass.principal_moments_per_density;
+    const Quat& q = mass.principal_axes;
+    const Counts n = counts(shape);
+    Json certificate = Json::object();
+    for (const auto& [name, value] : shape.certificate) certificate[name] = value;
+    return {{"name", shape.name},
+            {"kind", kind_name(shape)},
+            {"volume", mass.volume},
+            {"center_of_mass", {c.x(), c.y(), c.z()}},
+            {"rotation", {q.w(), q.x(), q.y(), q.z()}},
+            {"principal_moments_per_density", {moments.x(), moments.y(), moments.z()}},
+            {"bounding_radius", shape.bounding_radius},
+            {"mean_squared_surface_distance", shape.mean_squared_surface_distance},
+            {"convex", shape.is_convex},
+            {"counts",
+             {{"nodes", n.nodes},
+              {"spheres", n.spheres},
+              {"vertices", n.vertices},
+              {"triangles", n.triangles},
+              {"cells", n.cells}}},
+            {"certificate", certificate}};
+}
+
+/// printf into a string.
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+    std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, pattern, values...)), ' ');
+    std::snprintf(text.data(), text.size() + 1, pattern, values...);
+    return text;
+}
+
+std::string text_of(const ParticleTemplate& shape) {
+    const MassProperties& mass = shape.mass_properties;
+    const Vec3& c = mass.center_of_mass;
+    const Vec3& moments = mass.principal_moments_per_density;
+    const Counts n = counts(shape);
+    std::string text =
+        shape.name + ": " + kind_name(shape) + (shape.is_convex ? ", convex\n" : ", not convex\n");
+    text += format("  volume            %.9g m^3 (sphere of equal volume: %.6g mm)\n", mass.volume,
+                   1e3 * equivalent_diameter(mass.volume));
+    text +=
+        format("  center of mass    %.6g %.6g %.6g m, in the input's frame\n", c.x(), c.y(), c.z());
+    text += format("  principal moments %.9g %.9g %.9g m^5, times the density\n", moments.x(),
+                   moments.y(), moments.z());
+    text += format("  bounding radius   %.6g mm\n", 1e3 * shape.bounding_radius);
+    if (n.nodes > 0) text += format("  surface nodes     %" PRIu64 "\n", n.nodes);
+    if (n.cells > 0) text += format("  distance cells    %" PRIu64 "\n", n.cells);
+    if (n.triangles > 0) text += format("  display triangles %" PRIu64 "\n", n.triangles);
+    if (!shape.certificate.empty()) text += "  certificate\n";
+    for (const auto& [name, value] : shape.certificate) {
+        text += format("    %-36s %.6g\n", name.c_str(), value);
+    }
+    return text;
+}
+
+std::string range_text(const TemplateFile& file) {
+    const auto [smallest, largest] = std::minmax_element(
+        file.shapes.begin(), file.shapes.end(), [](const auto& a, const auto& b) {
+            return a.mass_properties.volume < b.mass_properties.volume;
+        });
+    return format("volumes from %.6g m^3 (%s) to %.6g m^3 (%s)\n", smallest->mass_properties.volume,
+                  smallest->name.c_str(), largest->mass_properties.volume, largest->name.c_str());
+}
+
+}  // namespace
+
+std::string template_text(const TemplateFile& file) {
+    constexpr std::size_t shown_at_most = 10;
+    const std::size_t count = file.shapes.size();
+    std::string text = "made by           " + file.command + " (shapegen " + file.shapegen_version +
+                       ", input " + hash_text(file.input_hash) + ")\n";
+    if (count > shown_at_most) {
+        text += std::to_string(count) + " shapes, the first three shown (--json shows all); " +
+                range_text(file);
+    }
+    const std::size_t shown = count > shown_at_most ? 3 : count;
+    for (std::size_t i = 0; i < shown; ++i) text += text_of(file.shapes[i]);
+    return text;
+}
+
+std::string template_json(const TemplateFile& file) {
+    Json shapes = Json::array();
+    for (const ParticleTemplate& shape : file.shapes) shapes.push_back(json_of(shape));
+    const Json json = {{"schema", template_format_version},
+                       {"command", file.command},
+                       {"shapegen_version", file.shapegen_version},
+                       {"input_hash", hash_text(file.input_hash)},
+                       {"shapes", shapes}};
+    // Names come from file names, which need not be UTF-8; JSON must be.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace dem
