@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/contact/contact_types.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+/// The parts of the Hertz-Mindlin law [SR] Eqs. 10-15 that one contact point and many share
+/// (docs/contact.md, "Force law").
+///   k_n = 4/3 Y* sqrt(R* d), gamma_n = sqrt(5) |beta| sqrt(m_e k_n), F_n = k_n d - gamma_n u_n
+///   F_t = -k_t s - gamma_t u_t, |F_t| <= mu |F_n|
+/// d overlap, s tangential spring, u relative velocity, m_e effective mass of the contact.
+namespace dem::hertz {
+
+/// How long an elastic collision of two Hertzian bodies lasts, in radians of its own oscillation:
+/// the integral of sqrt(k_n/m_e) dt is 2 pi / sqrt(5) at any speed, mass and stiffness.
+inline constexpr double collision_phase = 2.8099258924162904;
+
+/// A contact older than this is not a collision any more: its R* starts to follow the geometry.
+inline constexpr double settled_phase = 4.0 * collision_phase;
+
+/// Time constant of that drift: slow against the contact's own oscillation, so that what the change
+/// of stiffness adds or takes in a cycle stays below what it would in a bounce by that factor.
+inline constexpr double drift_phase = 20.0 * collision_phase;
+
+/// Whether the law asks for R* at the present place, or for none because the frozen one serves.
+template <class History>
+bool needs_local_radius(const ContactLaw& law, const History& history) {
+    return law.radius == ContactLaw::Radius::local || history.effective_radius == 0.0 ||
+           (law.radius == ContactLaw::Radius::onset && history.phase > settled_phase);
+}
+
+/// R* of this step [m].
+template <class History>
+double effective_radius(const ContactLaw& law, double local_radius, const History& history) {
+    const bool keeps = law.radius != ContactLaw::Radius::local && history.effective_radius > 0.0;
+    return keeps ? history.effective_radius : local_radius;
+}
+
+struct Coefficients {
+    double k_n;      ///< [N/m]
+    double gamma_n;  ///< [kg/s]
+    double k_t, gamma_t;
+    double frequency;  ///< sqrt(k_n/m_e) [rad/s]
+};
+
+/// `inverse_mass` = 1/m_e [1/kg].
+inline Coefficients coefficients(const ContactLaw& law, double radius, double overlap,
+                                 double inverse_mass) {
+    const double root = std::sqrt(radius * overlap);
+    Coefficients c{};
+    c.k_n = 4.0 / 3.0 * law.youngs_modulus * root;
+    c.frequency = std::sqrt(c.k_n * inverse_mass);
+    c.gamma_n = inverse_mass > 0.0 ? law.damping * c.frequency / inverse_mass : 0.0;
+    c.k_t = law.tangential == ContactLaw::Tangential::mindlin ? 8.0 * law.shear_modulus * root
+                                                              : law.stiffness_ratio * c.k_n;
+    c.gamma_t = law.damping_ratio * c.gamma_n;
+    return c;
+}
+
+/// Lets R* drift, ages the contact and returns the elastic energy that the change of R* took away
+/// [J]. Both k_n and k_t, so also the stored energy, go with sqrt(R*).
+template <class History>
+double age(const ContactLaw& law, double local_radius, double radius, double turn, double elastic,
+           History& history) {
+    double change = 0.0;  // of R*, relative
+    if (law.radius == ContactLaw::Radius::local && history.effective_radius > 0.0) {
+        change = 1.0 - history.effective_radius / radius;
+    } else if (law.radius == ContactLaw::Radius::onset && history.phase > settled_phase) {
+        const double drifted = radius + (local_radius - radius) * (turn / drift_phase);
+        change = drifted / radius - 1.0;
+        radius = drifted;
+    }
+    history.effective_radius = radius;
+    history.phase += turn;
+    return -0.5 * change * elastic;
+}
+
+/// Carries a spring in the plane of `old_normal` into the plane of `normal`: the smallest rotation
+/// between the two, then `spin` [rad] about the new one. Both keep its length.
+inline Vec3 carried(const Vec3& spring, const Vec3& old_normal, const Vec3& normal, double spin) {
+    const double cosine = old_normal.dot(normal);
+    // A normal that turned round within a step is another contact.
+    if (cosine < -0.9) return Vec3::Zero();
+    const Vec3 s = spring - (old_normal + normal) * (normal.dot(spring) / (1.0 + cosine));
+    const double t = 0.5 * spin;  // rotation by 2 atan(t), Cayley
+    return ((1.0 - t * t) * s + 2.0 * t * normal.cross(s)) / (1.0 + t * t);
+}
+
+struct TangentialForce {
+    Vec3 force;         ///< on i [N]
+    double elastic;     ///< [J]
+    double dissipated;  ///< in this step [J]
+};
+
+/// Spring and dashpot cut at `limit` = mu |F_n|. The force of this step uses the spring at its end,
+/// integrated by the trapezoidal rule (second order): `lead`, what the history stores, is ahead of
+/// it by u_t dt/2. When slipping the spring is reset so that the law gives the slip force exactly.
+/// Where the dashpot alone exceeds the limit the spring is empty: stretched against the motion, as
+/// the rule would have it, it would push forward as soon as the stiffness grows, and with k_t -> 0
+/// at the onset of a Hertzian contact the impact would depend on the time step without limit.
+/// The slip force keeps the direction of the force it replaces: along -u_t in steady slip, along
+/// the spring when the limit falls below it while the contact springs back.
+inline TangentialForce tangential_force(double k_t, double gamma_t, double limit, const Vec3& u_t,
+                                        double dt, Vec3& lead) {
+    const Vec3 half_way = 0.5 * dt * u_t;
+    Vec3 spring = lead + half_way;
+    Vec3 force = -k_t * spring - gamma_t * u_t;
+    const double before = 0.5 * k_t * spring.squaredNorm();
+    double elastic = before;
+    const double size2 = force.squaredNorm();
+    if (size2 > limit * limit) {
+        force *= limit / std::sqrt(size2);
+        const Vec3 spring_force = force + gamma_t * u_t;
+        spring = spring_force.dot(force) > 0.0 ? Vec3(spring_force / -k_t) : Vec3::Zero();
+        elastic = 0.5 * k_t * spring.squaredNorm();
+    }
+    lead = spring + half_way;
+    const double dashpot = -(force + k_t * spring).dot(u_t) * dt;
+    return {force, elastic, dashpot + (before - elastic)};
+}
+
+/// Energy that a spring of stiffness k_t, carried over from the step before, lost because k_t
+/// changes at the relative rate r [1/s] [J]: k_t ~ sqrt(d) was k_t sqrt(1 - 2 r dt).
+inline double softening_loss(double k_t, const Vec3& spring, double rate, double dt) {
+    const double before = std::sqrt(std::max(0.0, 1.0 - 2.0 * rate * dt));
+    return 0.5 * k_t * spring.squaredNorm() * (before - 1.0);
+}
+
+}  // namespace dem::hertz

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/contact_law/contact_mass.hpp"
+#include "runtime/contact_law/contact_point.hpp"
+#include "runtime/contact_law/hertz_mindlin.hpp"
+#include "runtime/contact_law/patch_slots.hpp"
+
+/// All contact points of a pair as one Hertzian contact (docs/contact.md, "Many points"):
+///   d = (sum d_k^p)^(1/p), w_k = (d_k / d)^(p-1), p = 16
+///   f_k = w_k (k_n(d) d + gamma(d) d'_k)      from the potential of d and one dashpot per pair
+/// d_k overlap of point k, d'_k its rate, f_k its force along its own gradient.
+namespace dem {
+
+namespace {
+
+double sixteenth_root(double x) {
+    return std::sqrt(std::sqrt(std::sqrt(std::sqrt(x))));
+}
+double power_15(double x) {
+    const double x2 = x * x;
+    const double x4 = x2 * x2;
+    return x4 * x4 * x4 * x2 * x;
+}
+double power_16(double x) {
+    return square(square(square(square(x))));
+}
+
+Vec3 relative_velocity(const PairState& pair, const Vec3& r_i) {
+    return pair.i.velocity - pair.j.velocity + pair.i.angular_velocity.cross(r_i) -
+           pair.j.angular_velocity.cross(r_i - pair.displacement);
+}
+
+/// What one point contributes.
+struct Share {
+    Vec3 velocity;          ///< relative, at the point [m/s]
+    double force;           ///< along the gradient [N]
+    double k_t, gamma_t;    ///< of its tangential spring and dashpot
+    double stiffness_rate;  ///< of change of k_t, relative [1/s]
+    double elastic;         ///< normal part, where points have their own [J]
+    double dissipated;      ///< normal part [J]
+};
+
+/// multi_contact = norm: one potential for the pair.
+class NormPatch {
+  public:
+    NormPatch(std::span<const ContactPoint> points, const PairState& pair, const ContactLaw& law,
+              double radius)
+        : pair_(pair), limit_(law.limit_force) {
+        double deepest = 0.0;
+        for (const ContactPoint& p : points) deepest = std::max(deepest, p.overlap);
+        double sum = 0.0;
+        for (const ContactPoint& p : points) sum += power_16(p.overlap / deepest);
+        overlap_ = deepest * sixteenth_root(sum);
+
+        Vec3 g = Vec3::Zero();
+        Vec3 t_i = Vec3::Zero();
+        Vec3 t_j = Vec3::Zero();
+        double weights = 0.0;
+        for (const ContactPoint& p : points) {
+            const double w = power_15(p.overlap / overlap_);
+            const Vec3 wg = w * p.gradient;
+            g += wg;
+            t_i += p.position.cross(wg);
+            t_j += (p.position - pair.displacement).cross(wg);
+            weights += w;
+        }
+        rate_ = -(g.dot(pair.i.velocity - pair.j.velocity) + t_i.dot(pair.i.angular_velocity) -
+                  t_j.dot(pair.j.angular_velocity));
+        // gamma = sqrt(5) |beta| sqrt(m_e W^2 k_n): one point and many coinciding ones are the
+        // same.
+        const double inverse_mass = law.damping_mass == ContactLaw::DampingMass::contact
+                                        ? inverse_contact_mass(pair, g, t_i, t_j) / square(weights)
+                                        : inverse_reduced_mass(pair);
+        coefficients_ = hertz::coefficients(law, radius, overlap_, inverse_mass);
+    }
+
+    Share share(const ContactPoint& p, double dt) const {
+        const hertz::Coefficients& c = coefficients_;
+        const double w = power_15(p.overlap / overlap_);
+        Share s{};
+        s.velocity = relative_velocity(pair_, p.position);
+        const double rate = -s.velocity.dot(p.gradient);
+        const double spring = w * c.k_n * overlap_;
+        s.force = spring + w * c.gamma_n * rate;
+        if (limit_) s.force = std::max(s.force, 0.0);
+        s.dissipated = (s.force - spring) * rate * dt;
+        s.k_t = w * c.k_t;
+        s.gamma_t = w * c.gamma_t;
+        // k_t ~ w_k sqrt(d) and w_k = (d_k / d)^15.
+        s.stiffness_rate = 15.0 * rate / p.overlap - 14.5 * rate_ / overlap_;
+        return s;
+    }
+
+    double overlap() const { return overlap_; }
+    double elastic() const { return 0.4 * coefficients_.k_n * square(overlap_); }
+    double frequency() const { return coefficients_.frequency; }
+
+  private:
+    const PairState& pair_;
+    bool limit_;
+    double overlap_ = 0.0;
+    double rate_ = 0.0;  ///< of the generalised overlap [m/s]
+    hertz::Coefficients coefficients_{};
+};
+
+/// multi_contact = sum, [SR] Eq. 17: every point a full spring-dashpot of its own.
+class SumPatch {
+  public:
+    SumPatch(std::span<const ContactPoint> points, const PairState& pair, const ContactLaw& law,
+             double radius)
+        : pair_(pair), law_(law), radius_(radius) {
+        const ContactPoint* deepest = &points.front();
+        for (const ContactPoint& p : points)
+            if (p.overlap > deepest->overlap) deepest = &p;
+        overlap_ = deepest->overlap;
+        frequency_ = coefficients(*deepest).frequency;
+    }
+
+    Share share(const ContactPoint& p, double dt) const {
+        const hertz::Coefficients c = coefficients(p);
+        Share s{};
+        s.velocity = relative_velocity(pair_, p.position);
+        const double rate = -s.velocity.dot(p.gradient);
+        const double spring = c.k_n * p.overlap;
+        s.force = spring + c.gamma_n * rate;
+        if (law_.limit_force) s.force = std::max(s.force, 0.0);
+        s.dissipated = (s.force - spring) * rate * dt;
+        s.k_t = c.k_t;
+        s.gamma_t = c.gamma_t;
+        s.stiffness_rate = 0.5 * rate / p.overlap;
+        s.elastic = 0.4 * spring * p.overlap;
+        return s;
+    }
+
+    double overlap() const { return overlap_; }
+    static double elastic() { return 0.0; }  // the points have it
+    double frequency() const { return frequency_; }
+
+  private:
+    hertz::Coefficients coefficients(const ContactPoint& p) const {
+        const Vec3& g = p.gradient;
+        const double inverse_mass =
+            law_.damping_mass == ContactLaw::DampingMass::contact
+                ? inverse_contact_mass(pair_, g, p.position.cross(g),
+                                       (p.position - pair_.displacement).cross(g))
+                : inverse_reduced_mass(pair_);
+        return hertz::coefficients(law_, radius_, p.overlap, inverse_mass);
+    }
+
+    const PairState& pair_;
+    const ContactLaw& law_;
+    double radius_;
+    double overlap_ = 0.0;
+    double frequency_ = 0.0;
+};
+
+void add_force(PairContact& contact, const Vec3& force, const Vec3& r_i, const PairState& pair) {
+    contact.force += force;
+    contact.torque_i += r_i.cross(force);
+    contact.torque_j -= (r_i - pair.displacement).cross(force);
+}
+
+/// Friction of the points in slots, scaled so that they stand for all.
+template <class Patch>
+void add_friction(const Patch& patch, std::span<const ContactPoint> points, const PairState& pair,
+                  const ContactLaw& law, double dt, double normal_force, PatchHistory& history,
+                  PairContact& contact) {
+    const PatchSlots chosen = choose_slots(points, history);
+    double held = 0.0;
+    for (std::size_t k = 0; k < chosen.count; ++k)
+        held += std::abs(patch.share(points[chosen.point[k]], dt).force);
+    const double scale = held > 0.0 ? normal_force / held : 1.0;
+    const Vec3 mean_spin = 0.5 * (pair.i.angular_velocity + pair.j.angular_velocity);
+    for (std::size_t k = 0; k < chosen.count; ++k) {
+        const ContactPoint& p = points[chosen.point[k]];
+        const Share s = patch.share(p, dt);
+        const Vec3 n = p.gradient.normalized();
+        PatchHistory::Slot& slot = history.slots[k];
+        Vec3 spring = Vec3::Zero();
+        if (chosen.known[k])
+            spring = hertz::carried(slot.spring, slot.normal, n, mean_spin.dot(n) * dt);
+        const Vec3 u_t = s.velocity - s.velocity.dot(n) * n;
+        contact.dissipated_energy +=
+            hertz::softening_loss(scale * s.k_t, spring, s.stiffness_rate, dt);
+        const hertz::TangentialForce t =
+            hertz::tangential_force(scale * s.k_t, scale * s.gamma_t,
+                                    law.friction * scale * std::abs(s.force), u_t, dt, spring);
+        slot = {p.feature, n, spring};
+        add_force(contact, t.force, p.position, pair);
+        contact.elastic_energy += t.elastic;
+        contact.dissipated_energy += t.dissipated;
+    }
+    history.used = chosen.count;
+}
+
+template <class Patch>
+PairContact patch_force(const Patch& patch, double radius, double local_radius,
+                        std::span<const ContactPoint> points, const PairState& pair,
+                        const ContactLaw& law, double dt, PatchHistory& history) {
+    PairContact contact;
+    double normal_force = 0.0;
+    for (const ContactPoint& p : points) {
+        const Share s = patch.share(p, dt);
+        add_force(contact, s.force * p.gradient, p.position, pair);
+        normal_force += std::abs(s.force);
+        contact.elastic_energy += s.elastic;
+        contact.dissipated_energy += s.dissipated;
+    }
+    contact.elastic_energy += patch.elastic();
+    if (law.friction > 0.0)
+        add_friction(patch, points, pair, law, dt, normal_force, history, contact);
+    contact.overlap = patch.overlap();
+    contact.points = static_cast<std::uint32_t>(points.size());
+    contact.dissipated_energy += hertz::age(law, local_radius, radius, patch.frequency() * dt,
+                                            contact.elastic_energy, history);
+    return contact;
+}
+
+}  // namespace
+
+PairContact contact_force(std::span<const ContactPoint> points, double local_radius,
+                          const PairState& pair, const ContactLaw& law, double dt,
+                          PatchHistory& history) {
+    if (points.empty()) {
+        if (history.effective_radius > 0.0) history = {};
+        return {};
+    }
+    const double radius = hertz::effective_radius(law, local_radius, history);
+    if (law.multi_contact == ContactLaw::MultiContact::sum) {
+        return patch_force(SumPatch(points, pair, law, radius), radius, local_radius, points, pair,
+                           law, dt, history);
+    }
+    if (law.multi_contact == ContactLaw::MultiContact::deepest) {
+        ContactPoint deepest = points.front();
+        for (const ContactPoint& p : points)
+            if (p.overlap > deepest.overlap) deepest = p;
+        deepest.feature = 0;  // one spring, whichever point is deepest
+        const std::span<const ContactPoint> one(&deepest, 1);
+        return patch_force(NormPatch(one, pair, law, radius), radius, local_radius, one, pair, law,
+                           dt, history);
+    }
+    return patch_force(NormPatch(points, pair, law, radius), radius, local_radius, points, pair,
+                       law, dt, history);
+}
+
+}  // namespace dem

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/contact_law/contact_point.hpp"
+#include "runtime/contact_law/hertz_mindlin.hpp"
+
+namespace dem {
+
+/// One contact point as the law sees it, for kernels that know more than a ContactPoint says.
+struct PointMotion {
+    Vec3 normal;          ///< unit, from j towards i
+    Vec3 velocity;        ///< of i relative to j at the contact point [m/s]
+    double overlap;       ///< [m]
+    double overlap_rate;  ///< > 0 while approaching [m/s]
+    double inverse_mass;  ///< 1/m_e [1/kg]
+    double spin;          ///< mean angular velocity of the bodies about the normal [rad/s]
+};
+
+struct PointForce {
+    double normal;    ///< > 0 repulsive [N]
+    Vec3 tangential;  ///< on i [N]
+    double elastic, dissipated;
+};
+
+/// Hertz-Mindlin force of one point (hertz_mindlin.hpp), without the levers.
+inline PointForce point_force(const PointMotion& point, double local_radius, const ContactLaw& law,
+                              double dt, PointHistory& history) {
+    const Vec3& n = point.normal;
+    const double radius = hertz::effective_radius(law, local_radius, history);
+    const hertz::Coefficients c =
+        hertz::coefficients(law, radius, point.overlap, point.inverse_mass);
+    const double rate = point.overlap_rate;
+    const double spring_force = c.k_n * point.overlap;
+
+    PointForce f{spring_force + c.gamma_n * rate, Vec3::Zero(), 0.0, 0.0};
+    if (law.limit_force) f.normal = std::max(f.normal, 0.0);
+    f.elastic = 0.4 * spring_force * point.overlap;
+    f.dissipated = (f.normal - spring_force) * rate * dt;
+
+    if (law.friction > 0.0) {
+        const Vec3 u_t = point.velocity - point.velocity.dot(n) * n;
+        Vec3 spring = Vec3::Zero();
+        if (history.effective_radius > 0.0)
+            spring = hertz::carried(history.spring, history.normal, n, point.spin * dt);
+        f.dissipated += hertz::softening_loss(c.k_t, spring, 0.5 * rate / point.overlap, dt);
+        const hertz::TangentialForce t = hertz::tangential_force(
+            c.k_t, c.gamma_t, law.friction * std::abs(f.normal), u_t, dt, spring);
+        history.spring = spring;
+        f.tangential = t.force;
+        f.elastic += t.elastic;
+        f.dissipated += t.dissipated;
+    }
+    history.normal = n;
+    f.dissipated += hertz::age(law, local_radius, radius, c.frequency * dt, f.elastic, history);
+    return f;
+}
+
+}  // namespace dem

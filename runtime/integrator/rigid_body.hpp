@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/math/types.hpp"
+
+#include <cmath>
+
+/// Motion of one rigid body, pure functions (docs/time-integration.md). The angular momentum L is
+/// carried in the world frame: without torque it does not change by a bit.
+namespace dem {
+
+/// Unit quaternion of the rotation by the vector `turn` [rad].
+inline Quat rotation(const Vec3& turn) {
+    const double x2 = 0.25 * turn.squaredNorm();  // half angle squared
+    double cosine = 0.0;
+    double sine_ratio = 0.0;  // sin(x)/x
+    if (x2 < 1e-2) {
+        // Taylor, next terms below 1e-18 of the sums.
+        sine_ratio =
+            1.0 -
+            x2 / 6.0 *
+                (1.0 - x2 / 20.0 * (1.0 - x2 / 42.0 * (1.0 - x2 / 72.0 * (1.0 - x2 / 110.0))));
+        cosine =
+            1.0 -
+            x2 / 2.0 *
+                (1.0 - x2 / 12.0 *
+                           (1.0 - x2 / 30.0 *
+                                      (1.0 - x2 / 56.0 * (1.0 - x2 / 90.0 * (1.0 - x2 / 132.0)))));
+    } else {
+        const double x = std::sqrt(x2);
+        cosine = std::cos(x);
+        sine_ratio = std::sin(x) / x;
+    }
+    const double s = 0.5 * sine_ratio;
+    return {cosine, s * turn.x(), s * turn.y(), s * turn.z()};
+}
+
+/// World angular velocity [rad/s] of a body with orientation q, angular momentum L [kg m^2/s] and
+/// inverse principal moments [1/(kg m^2)].
+inline Vec3 angular_velocity(const Quat& q, const Vec3& L, const Vec3& inverse_moments) {
+    if (inverse_moments.x() == inverse_moments.y() && inverse_moments.x() == inverse_moments.z())
+        return inverse_moments.x() * L;
+    const Vec3 L_body = q.conjugate() * L;
+    return q * Vec3(inverse_moments.cwiseProduct(L_body));
+}
+
+/// Length correction of a quaternion that is a unit one but for rounding.
+inline Quat renormalized(const Quat& q) {
+    const double scale = 1.5 - 0.5 * q.squaredNorm();
+    return {scale * q.w(), scale * q.x(), scale * q.y(), scale * q.z()};
+}
+
+/// Orientation after free motion with constant L over dt [s].
+/// A sphere turns about L. A body of revolution turns exactly about L at L/I_x and about its own
+/// axis with the rest of its spin: the closed form of the symmetric top, right for any dt. Three
+/// different moments: the exact rotation of the angular velocity at the midpoint, which is found by
+/// iteration, so that the step is symmetric in time and the energy does not drift.
+inline Quat rotated(const Quat& q, const Vec3& L, const Vec3& inverse_moments, double dt) {
+    const Vec3& m = inverse_moments;
+    if (m.x() == m.y()) {
+        const Quat precession = rotation(dt * m.x() * L);
+        if (m.x() == m.z()) return renormalized(precession * q);
+        const Vec3 axis(2.0 * (q.x() * q.z() + q.w() * q.y()),
+                        2.0 * (q.y() * q.z() - q.w() * q.x()),
+                        1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y()));
+        const double own_spin = (m.z() - m.x()) * L.dot(axis);
+        return renormalized(precession * q * rotation({0.0, 0.0, dt * own_spin}));
+    }
+    Vec3 omega = angular_velocity(q, L, m);
+    for (int iteration = 0; iteration < 20; ++iteration) {
+        const Vec3 next = angular_velocity(rotation(0.5 * dt * omega) * q, L, m);
+        const bool converged = (next - omega).squaredNorm() <= 1e-30 * next.squaredNorm();
+        omega = next;
+        if (converged) break;
+    }
+    return renormalized(rotation(dt * omega) * q);
+}
+
+/// Upper bound of |omega| during free motion with constant L [rad/s]; exact but for bodies with
+/// three different moments.
+inline double largest_spin(const Quat& q, const Vec3& L, const Vec3& inverse_moments) {
+    const Vec3& m = inverse_moments;
+    if (m.x() == m.y()) return angular_velocity(q, L, m).norm();
+    return m.maxCoeff() * L.norm();
+}
+
+/// Kinetic energy of the rotation [J].
+inline double rotational_energy(const Vec3& L, const Vec3& omega) {
+    return 0.5 * L.dot(omega);
+}
+
+}  // namespace dem
