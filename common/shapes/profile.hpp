@@ -1,58 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/math/types.hpp"
+#include "common/shapes/piece_tree.hpp"
 
-#include <memory>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 /// The generating curve of a surface of revolution: an ordered path in the half plane (r, z), r >=
 /// 0, from the lower end of the axis to the upper one. Lengths in metres.
 namespace dem {
-
-/// Point and derivatives of a segment with respect to its parameter t in [0, 1].
-struct CurveJet {
-    Vec2 point, first, second;
-};
-
-struct LineSegment {
-    Vec2 from, to;
-};
-
-/// Arc of an axis-aligned ellipse: center + (a cos(phi), b sin(phi)), phi from `start` to `end`
-/// [rad] (either sense). A circular arc has a == b.
-struct EllipseArc {
-    Vec2 center;
-    double a, b;
-    double start, end;
-};
-
-/// A smooth curve given by a parametrisation, t in [0, 1] (superquadric, Cassini oval, spline,
-/// ...).
-class ParametricCurve {
-  public:
-    virtual ~ParametricCurve() = default;
-    virtual CurveJet evaluate(double t) const = 0;
-};
-struct FreeCurve {
-    std::shared_ptr<const ParametricCurve> curve;
-};
-
-using ProfileSegment = std::variant<LineSegment, EllipseArc, FreeCurve>;
-
-CurveJet evaluate(const ProfileSegment& segment, double t);
-double arc_length(const ProfileSegment& segment);
-
-/// Nearest point of a profile to a query point.
-struct ProfilePoint {
-    Vec2 point;
-    std::size_t segment;
-    double t;
-    double distance;  ///< unsigned [m]
-};
 
 /// A closed generating curve: first and last points lie on the axis (r == 0), consecutive segments
 /// join, it does not cross itself and encloses a volume. The constructor checks all of that and
@@ -65,22 +22,25 @@ class Profile {
     std::span<const ProfileSegment> segments() const { return segments_; }
     const std::string& label(std::size_t segment) const { return labels_[segment]; }
 
-    double length() const;             ///< arc length [m]
-    double max_radius() const;         ///< [m]
-    double bottom_z() const;           ///< lower end on the axis [m]
-    double top_z() const;              ///< upper end on the axis [m]
-    double min_z() const;              ///< lowest point [m]; below bottom_z() for a dimpled shape
-    double max_z() const;              ///< [m]
-    double major_axis_length() const;  ///< l = max(height, 2 max_radius) [m]
+    double length() const { return length_; }          ///< arc length [m]
+    double max_radius() const { return max_radius_; }  ///< [m]
+    double bottom_z() const;                           ///< lower end on the axis [m]
+    double top_z() const;                              ///< upper end on the axis [m]
+    double min_z() const { return min_z_; }  ///< lowest point [m]; below bottom_z() when dimpled
+    double max_z() const { return max_z_; }  ///< highest point [m]
+    double major_axis_length() const;        ///< l = max(height, 2 max_radius) [m]
 
-    /// Exact nearest point (not of a polyline).
-    ProfilePoint nearest(const Vec2& x) const;
-    /// Exact signed distance, negative inside [m].
+    /// Exact nearest point (not of a polyline) to a point of the half plane, r >= 0.
+    ProfilePoint nearest(const Vec2& x) const { return tree_.nearest(segments_, x); }
+    /// Exact signed distance, negative inside [m]. By symmetry r < 0 is the same as -r.
     double signed_distance(const Vec2& x) const;
     bool contains(const Vec2& x) const;
 
     /// Outward unit normal at a point of a segment.
     Vec2 outward_normal(std::size_t segment, double t) const;
+
+    /// The path cut into parts that turn by less than 0.2 rad, in its order.
+    std::span<const ProfilePiece> pieces() const { return tree_.pieces(); }
 
     /// Joints (index = the segment that ends there) whose interior angle is below `max_angle`
     /// [rad]; the poles are included when the profile meets the axis at such an angle.
@@ -95,8 +55,15 @@ class Profile {
     Profile translated(double dz) const;
 
   private:
+    Vec2 pseudo_normal(const ProfilePoint& nearest) const;
+
     std::vector<ProfileSegment> segments_;
     std::vector<std::string> labels_;
+    PieceTree tree_;
+    double length_ = 0.0;
+    double max_radius_ = 0.0;
+    double min_z_ = 0.0;
+    double max_z_ = 0.0;
 };
 
 }  // namespace dem
