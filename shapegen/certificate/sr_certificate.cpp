@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapegen/certificate/sr_certificate.hpp"
+
+#include "common/shapes/support_map.hpp"
+#include "shapegen/revolution/profile_samples.hpp"
+#include "shapegen/revolution/surface_deviation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace dem {
+
+namespace {
+
+double frustums(const Profile& profile, int chords) {
+    double volume = 0.0;
+    for (const ProfileSegment& segment : profile.segments()) {
+        const int n = std::holds_alternative<LineSegment>(segment) ? 1 : chords;
+        Vec2 from = evaluate(segment, 0.0).point;
+        for (int i = 1; i <= n; ++i) {
+            const Vec2 to = evaluate(segment, static_cast<double>(i) / n).point;
+            volume +=
+                pi / 3.0 * (square(from[0]) + from[0] * to[0] + square(to[0])) * (to[1] - from[1]);
+            from = to;
+        }
+    }
+    return volume;
+}
+
+struct Spacing {
+    double mean = 0.0, max = 0.0;
+};
+
+Spacing node_spacing(const SurfaceNodes& nodes) {
+    Spacing spacing;
+    for (std::uint32_t i = 0; i < nodes.count; ++i) {
+        const auto& a = nodes.nodes[i];
+        const auto& b = nodes.nodes[nodes.stencil[i * SurfaceNodes::stencil_size]];
+        const double d = Vec3(a.x - b.x, a.y - b.y, a.z - b.z).norm();
+        spacing.mean += d / nodes.count;
+        spacing.max = std::max(spacing.max, d);
+    }
+    return spacing;
+}
+
+}  // namespace
+
+double polygon_volume(const Profile& profile, int n) {
+    return (4.0 * frustums(profile, 2 * n) - frustums(profile, n)) / 3.0;
+}
+
+double support_error(const Profile& profile, const SupportMap& support) {
+    constexpr int directions = 2000;
+    std::vector<Vec2> points;
+    for (const ProfileSample& s : sample_profile(profile, profile.major_axis_length() / 2000.0)) {
+        points.push_back(s.point);
+    }
+    double largest = 0.0;
+    for (int i = 0; i <= directions; ++i) {
+        const double angle = pi * (static_cast<double>(i) / directions - 0.5);
+        const Vec2 n{std::max(std::cos(angle), 0.0), std::sin(angle)};
+        double exact = points.front().dot(n);
+        for (const Vec2& p : points) exact = std::max(exact, p.dot(n));
+        const SupportPoint s = support_point(support, n[0], n[1]);
+        largest = std::max(largest, std::abs(s.r * n[0] + s.z * n[1] - exact));
+    }
+    return largest;
+}
+
+Certificate sr_certificate(const Profile& profile, const ParticleTemplate& shape, const SrShape& sr,
+                           const SdfError& sdf, std::span<const Ring> rings) {
+    const double l = sr.major_axis_length;
+    const double degrees = 180.0 / pi;
+    Certificate certificate{{"sdf_error_mean", sdf.mean / l},
+                            {"sdf_error_rms", sdf.rms / l},
+                            {"sdf_error_max", sdf.max / l},
+                            {"sdf_gradient_angle_rms", sdf.angle_rms * degrees},
+                            {"sdf_gradient_angle_max", sdf.angle_max * degrees}};
+    if (sr.is_convex) {
+        certificate.emplace_back("support_error_max", support_error(profile, sr.support) / l);
+    }
+    const Spacing spacing = node_spacing(sr.nodes);
+    certificate.emplace_back("node_spacing_mean", spacing.mean / l);
+    certificate.emplace_back("node_spacing_max", spacing.max / l);
+    certificate.emplace_back(
+        "node_surface_error_max",
+        surface_deviation(profile, ring_points(rings), ring_triangles(rings)) / l);
+    certificate.emplace_back("display_mesh_error_max", shape.display_mesh.max_deviation / l);
+    const double volume = shape.mass_properties.volume;
+    certificate.emplace_back("volume_error", std::abs(polygon_volume(profile) / volume - 1.0));
+    return certificate;
+}
+
+}  // namespace dem

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "common/shapes/profile.hpp"
+#include "common/shapes/sr_shape.hpp"
+
+#include <cstdint>
+
+namespace dem {
+
+/// Cells per major axis length l at each level [SR 2.3]. The ratios are powers of two: a seam is
+/// then continuous (every kink of the coarse side is a grid point of the fine side).
+struct SdfResolution {
+    std::uint32_t base = 50;
+    std::uint32_t interface = 200;
+    std::uint32_t corner = 800;
+};
+
+/// Throws UsageError unless base <= interface <= corner with ratios that are powers of two.
+void check_resolution(const SdfResolution& resolution);
+
+/// The exact signed distance of the half cross-section at the grid points of a two-level grid.
+/// Interface cells reach 0.05 l inwards, where the nodes of a partner can be: a run stops at an
+/// overlap of 10 % of the radius, and no radius exceeds l/2. They reach two interface cells
+/// outwards, so that no point within one interface cell of the surface lies beside a seam. Corner
+/// cells are the base cells within 0.01 l of a corner. One base cell of margin surrounds the
+/// cross-section. Measured in docs/decisions/sdf-quadtree.md. `lipschitz_slack` is left to
+/// measure_sdf.
+SdfQuadtree signed_distance_field(const Profile& profile, const SdfResolution& resolution);
+
+}  // namespace dem

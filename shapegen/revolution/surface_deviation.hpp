@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "common/shapes/profile.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace dem {
+
+/// The largest distance of triangles with vertices on the surface from the true surface [m]: exact
+/// distances at the centroids and the middles of the edges.
+double surface_deviation(const Profile& profile, std::span<const Vec3> points,
+                         std::span<const std::array<std::uint32_t, 3>> triangles);
+
+}  // namespace dem
