@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "formats/frames.hpp"
+
+#include "formats/hdf5_file.hpp"
+
+#include <cstdio>
+
+namespace dem {
+
+namespace {
+
+constexpr std::uint64_t frames_layout = 1;  // raised when a reader would have to change
+
+std::span<const double> numbers(std::span<const Vec3> vectors) {
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    return {vectors.empty() ? nullptr : vectors.front().data(), 3 * vectors.size()};
+}
+
+std::vector<double> wxyz(std::span<const Quat> orientations) {
+    std::vector<double> values;
+    values.reserve(4 * orientations.size());
+    for (const Quat& q : orientations) values.insert(values.end(), {q.w(), q.x(), q.y(), q.z()});
+    return values;
+}
+
+/// All display meshes behind one another: shape k has the vertices [first_vertex[k],
+/// first_vertex[k + 1]), and its triangles count from its own first vertex.
+struct MeshTables {
+    std::vector<double> vertices;
+    std::vector<std::uint32_t> triangles;
+    std::vector<std::uint64_t> first_vertex = {0};
+    std::vector<std::uint64_t> first_triangle = {0};
+
+    explicit MeshTables(std::span<const ParticleTemplate> shapes) {
+        for (const ParticleTemplate& shape : shapes) {
+            for (const Vec3& v : shape.display_mesh.vertices) {
+                vertices.insert(vertices.end(), v.begin(), v.end());
+            }
+            for (const auto& t : shape.display_mesh.triangles) {
+                triangles.insert(triangles.end(), t.begin(), t.end());
+            }
+            first_vertex.push_back(vertices.size() / 3);
+            first_triangle.push_back(triangles.size() / 3);
+        }
+    }
+    std::uint64_t bytes() const {
+        return vertices.size() * sizeof(double) + triangles.size() * sizeof(std::uint32_t) +
+               2 * first_vertex.size() * sizeof(std::uint64_t);
+    }
+};
+
+void write_shapes(Hdf5File& file, std::span<const ParticleTemplate> shapes,
+                  const MeshTables& meshes) {
+    std::vector<std::string> names;
+    std::vector<std::string> kinds;
+    std::vector<double> volumes;
+    std::vector<double> radii;
+    for (const ParticleTemplate& shape : shapes) {
+        names.push_back(shape.name);
+        kinds.push_back(kind_name(shape));
+        volumes.push_back(shape.mass_properties.volume);
+        radii.push_back(shape.bounding_radius);
+    }
+    file.make_group("/shapes");
+    file.write("/shapes/name", names);
+    file.write("/shapes/kind", kinds);
+    file.write("/shapes/volume", volumes);
+    file.write("/shapes/bounding_radius", radii);
+    file.write("/shapes/vertices", meshes.vertices, 3);
+    file.write("/shapes/triangles", meshes.triangles, 3);
+    file.write("/shapes/first_vertex", meshes.first_vertex);
+    file.write("/shapes/first_triangle", meshes.first_triangle);
+    file.describe("/shapes/vertices", "units", "m");
+    file.describe("/shapes/volume", "units", "m^3");
+    file.describe("/shapes/bounding_radius", "units", "m");
+}
+
+/// One table of a frame: in the file and in the index.
+class FrameTables {
+  public:
+    FrameTables(Hdf5File& file, std::string group, std::string place)
+        : file_(file), group_(std::move(group)), place_(std::move(place)) {
+        file_.make_group(group_);
+    }
+
+    XdmfTable add(const std::string& name, std::span<const double> values, std::size_t columns,
+                  const char* units) {
+        file_.write(group_ + name, values, columns);
+        file_.describe(group_ + name, "units", units);
+        return {place_ + name, values.size() / columns, columns, "Float", 8};
+    }
+    XdmfTable add(const std::string& name, std::span<const std::uint32_t> values) {
+        file_.write(group_ + name, values);
+        return {place_ + name, values.size(), 1, "UInt", 4};
+    }
+
+  private:
+    Hdf5File& file_;
+    std::string group_;
+    std::string place_;
+};
+
+XdmfGrid write_tables(FrameTables& tables, const Frame& frame) {
+    XdmfGrid grid;
+    grid.time = frame.time;
+    grid.points = tables.add("position", numbers(frame.position), 3, "m");
+    const auto index = tables.add("index", [&] {
+        std::vector<std::uint32_t> order(frame.position.size());
+        for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+        return order;
+    }());
+    grid.cells = index;
+    auto& attributes = grid.attributes;
+    attributes = {
+        {"id", "Scalar", "Node", tables.add("id", frame.id)},
+        {"orientation", "Matrix", "Node",
+         tables.add("orientation", wxyz(frame.orientation), 4, "1")},
+        {"velocity", "Vector", "Node", tables.add("velocity", numbers(frame.velocity), 3, "m/s")},
+        {"angular_velocity", "Vector", "Node",
+         tables.add("angular_velocity", numbers(frame.angular_velocity), 3, "rad/s")},
+        {"shape", "Scalar", "Node", tables.add("shape", frame.shape)},
+        {"group", "Scalar", "Node", tables.add("group", frame.group)}};
+    if (!frame.coordination.empty()) {
+        attributes.push_back(
+            {"coordination", "Scalar", "Node", tables.add("coordination", frame.coordination)});
+    }
+    if (!frame.force.empty()) {
+        attributes.push_back(
+            {"force", "Vector", "Node", tables.add("force", numbers(frame.force), 3, "N")});
+    }
+    return grid;
+}
+
+/// An upper bound of the tables of one frame [bytes].
+std::uint64_t largest_size(const Frame& frame) {
+    constexpr std::uint64_t per_particle = 16 * sizeof(double) + 6 * sizeof(std::uint32_t);
+    return frame.position.size() * per_particle;
+}
+
+std::string frame_name(std::uint64_t number) {
+    char text[24];
+    std::snprintf(text, sizeof text, "%08llu", static_cast<unsigned long long>(number));
+    return text;
+}
+
+}  // namespace
+
+FrameWriter::FrameWriter(const std::filesystem::path& directory, const FrameContext& context,
+                         std::span<const ParticleTemplate> shapes)
+    : path_(directory / "frames.h5"), index_(directory / "frames.xdmf", "particles") {
+    const MeshTables meshes(shapes);
+    // Names are short; what the bound forgets is within the margin of Hdf5File.
+    const std::uint64_t shape_bytes = shapes.size() * 256;
+    Hdf5File file(path_, Hdf5File::Mode::create, meshes.bytes() + shape_bytes);
+    file.describe("/", "layout", frames_layout);
+    file.describe("/", "program", std::string_view("ShapeDEM " DEM_VERSION));
+    file.describe("/", "case", context.case_path);
+    file.describe("/", "units", std::string_view("SI, world frame, quaternions w x y z"));
+    write_shapes(file, shapes, meshes);
+    file.write("/groups", context.groups);
+    file.make_group("/frames");
+    file.close();
+    if (context.surfaces) surfaces_ = std::make_unique<SurfaceWriter>(directory, shapes);
+}
+
+void FrameWriter::append(const Frame& frame) {
+    const std::string name = frame_name(count_);
+    const std::string group = "/frames/" + name + "/";
+    Hdf5File file(path_, Hdf5File::Mode::extend, largest_size(frame));
+    FrameTables tables(file, group, "frames.h5:" + group);
+    const XdmfGrid grid = write_tables(tables, frame);
+    file.describe(group, "time", frame.time);
+    file.describe(group, "step", frame.step);
+    file.describe(group, "count", std::uint64_t{frame.position.size()});
+    file.close();
+    index_.append(grid);
+    if (surfaces_) surfaces_->append(frame, name);
+    ++count_;
+}
+
+}  // namespace dem

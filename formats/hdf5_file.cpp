@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "formats/hdf5_file.hpp"
+
+#include "common/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace dem {
+
+namespace {
+
+/// An open identifier of HDF5, closed by the function that belongs to its kind.
+class Handle {
+  public:
+    Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+    ~Handle() {
+        if (id_ >= 0) close_(id_);
+    }
+    Handle(const Handle&) = delete;
+    Handle& operator=(const Handle&) = delete;
+
+    operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor)
+    bool is_valid() const { return id_ >= 0; }
+
+  private:
+    hid_t id_;
+    herr_t (*close_)(hid_t);
+};
+
+// Smaller tables gain less from compression than its index costs.
+constexpr std::size_t chunked_from = 16 * 1024;
+constexpr std::size_t chunk_bytes = 256 * 1024;
+constexpr unsigned deflate_level = 1;  // 4 takes twice as long and saves 1 % of doubles
+
+/// What the innermost failed call says, without the library's own way there: the system's message
+/// where there is one ("No space left on device"), else HDF5's.
+std::string reason() {
+    std::string text;
+    H5Ewalk2(
+        H5E_DEFAULT, H5E_WALK_UPWARD,
+        [](unsigned depth, const H5E_error2_t* error, void* target) -> herr_t {
+            auto& found = *static_cast<std::string*>(target);
+            const std::string description = error->desc == nullptr ? "" : error->desc;
+            constexpr std::string_view mark = "error message = '";
+            const std::size_t start = description.find(mark);
+            if (start != std::string::npos) {
+                const std::size_t first = start + mark.size();
+                found = description.substr(first, description.find('\'', first) - first);
+            } else if (depth == 0) {
+                found = description;
+            }
+            return 0;
+        },
+        &text);
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text.empty() ? "unknown reason" : text;
+}
+
+/// Extends the file by `bytes` of real blocks; HDF5 cuts off what it has not used when it closes.
+/// Disks that cannot reserve are only asked whether they have the room.
+void reserve(const std::filesystem::path& path, std::uint64_t bytes) {
+    const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    struct stat status {};
+    int error = 0;
+    if (descriptor < 0 || fstat(descriptor, &status) != 0) {
+        error = errno;
+    } else if (fallocate(descriptor, 0, status.st_size, static_cast<off_t>(bytes)) != 0) {
+        error = errno;
+        // Part of it may have been granted.
+        if (ftruncate(descriptor, status.st_size) != 0) error = errno;
+    }
+    if (descriptor >= 0) close(descriptor);
+    if (error == EOPNOTSUPP || error == ENOSYS) {
+        std::error_code ignored;
+        const auto space = std::filesystem::space(path, ignored);
+        error = !ignored && space.available < bytes ? ENOSPC : 0;
+    }
+    if (error != 0) {
+        throw Error(path.string(), "cannot write: " + std::generic_category().message(error));
+    }
+}
+
+}  // namespace
+
+Hdf5File::Hdf5File(const std::filesystem::path& path, Mode mode, std::uint64_t bytes)
+    : path_(path) {
+    // Errors are thrown as ours; the library would print its whole stack.
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    if (H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18) < 0 ||
+        H5Pset_file_locking(access, false, true) < 0) {
+        fail("set up");
+    }
+    if (mode == Mode::create) {
+        file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+        if (file_ < 0) fail("create");
+        close();
+    }
+    reserve(path, bytes + bytes / 64 + 64 * 1024);
+    file_ = H5Fopen(path.c_str(), H5F_ACC_RDWR, access);
+    if (file_ < 0) fail("open");
+}
+
+Hdf5File::~Hdf5File() {
+    if (file_ >= 0) H5Fclose(file_);
+}
+
+void Hdf5File::close() {
+    if (H5Fclose(std::exchange(file_, H5I_INVALID_HID)) < 0) fail("write");
+}
+
+void Hdf5File::fail(const std::string& action) const {
+    throw Error(path_.string(), "cannot " + action + ": " + reason());
+}
+
+void Hdf5File::make_group(const std::string& name) {
+    const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+    H5Pset_create_intermediate_group(links, 1);
+    const Handle group(H5Gcreate2(file_, name.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+    if (!group.is_valid()) fail("write " + name);
+}
+
+void Hdf5File::write_table(const std::string& name, const void* values, std::size_t rows,
+                           std::size_t columns, Types types) {
+    const std::array<hsize_t, 2> size = {rows, columns};
+    const int rank = columns == 1 ? 1 : 2;
+    const Handle space(H5Screate_simple(rank, size.data(), nullptr), H5Sclose);
+    const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_obj_track_times(layout, false);  // the same run gives the same file
+    const std::size_t row_bytes = columns * H5Tget_size(types.in_file);
+    if (rows * row_bytes >= chunked_from) {
+        const std::array<hsize_t, 2> chunk = {
+            std::min<hsize_t>(rows, std::max<hsize_t>(1, chunk_bytes / row_bytes)), columns};
+        H5Pset_chunk(layout, rank, chunk.data());
+        H5Pset_shuffle(layout);
+        H5Pset_deflate(layout, deflate_level);
+    }
+    const Handle table(
+        H5Dcreate2(file_, name.c_str(), types.in_file, space, H5P_DEFAULT, layout, H5P_DEFAULT),
+        H5Dclose);
+    if (!table.is_valid() ||
+        (rows > 0 && H5Dwrite(table, types.in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)) {
+        fail("write " + name);
+    }
+}
+
+void Hdf5File::write(const std::string& name, std::span<const double> values, std::size_t columns) {
+    write_table(name, values.data(), values.size() / columns, columns,
+                {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE});
+}
+void Hdf5File::write(const std::string& name, std::span<const float> values, std::size_t columns) {
+    write_table(name, values.data(), values.size() / columns, columns,
+                {H5T_NATIVE_FLOAT, H5T_IEEE_F32LE});
+}
+void Hdf5File::write(const std::string& name, std::span<const std::uint32_t> values,
+                     std::size_t columns) {
+    write_table(name, values.data(), values.size() / columns, columns,
+                {H5T_NATIVE_UINT32, H5T_STD_U32LE});
+}
+void Hdf5File::write(const std::string& name, std::span<const std::uint64_t> values,
+                     std::size_t columns) {
+    write_table(name, values.data(), values.size() / columns, columns,
+                {H5T_NATIVE_UINT64, H5T_STD_U64LE});
+}
+
+void Hdf5File::write(const std::string& name, std::span<const std::string> values) {
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(type, H5T_VARIABLE);
+    H5Tset_cset(type, H5T_CSET_UTF8);
+    std::vector<const char*> pointers;
+    for (const std::string& value : values) pointers.push_back(value.c_str());
+    const hsize_t size = values.size();
+    const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Handle table(
+        H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+        H5Dclose);
+    if (!table.is_valid() ||
+        (size > 0 && H5Dwrite(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()) < 0)) {
+        fail("write " + name);
+    }
+}
+
+void Hdf5File::write_attribute(const std::string& object, const std::string& name,
+                               const void* value, Types types) {
+    const Handle target(H5Oopen(file_, object.c_str(), H5P_DEFAULT), H5Oclose);
+    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const Handle attribute(
+        H5Acreate2(target, name.c_str(), types.in_file, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    if (!attribute.is_valid() || H5Awrite(attribute, types.in_memory, value) < 0) {
+        fail("write " + name + " of " + object);
+    }
+}
+
+void Hdf5File::describe(const std::string& object, const std::string& name, double value) {
+    write_attribute(object, name, &value, {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE});
+}
+void Hdf5File::describe(const std::string& object, const std::string& name, std::uint64_t value) {
+    write_attribute(object, name, &value, {H5T_NATIVE_UINT64, H5T_STD_U64LE});
+}
+void Hdf5File::describe(const std::string& object, const std::string& name,
+                        std::string_view value) {
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(type, std::max<std::size_t>(1, value.size()));
+    H5Tset_strpad(type, H5T_STR_NULLPAD);
+    H5Tset_cset(type, H5T_CSET_UTF8);
+    const std::string text = value.empty() ? std::string(1, '\0') : std::string(value);
+    write_attribute(object, name, text.data(), {type, type});
+}
+
+}  // namespace dem

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <hdf5.h>
+
+namespace dem {
+
+/// An HDF5 file open for writing, so that its content survives what may happen to a long run:
+/// - The writer opens the file, adds to it and closes it again; between two additions the file on
+///   the disk is complete, whatever becomes of the process.
+/// - Room is reserved before anything is added, because a disk that fills up while HDF5 updates its
+///   own tables would cost everything that the file already holds.
+/// - No lock is taken: somebody who looks at the file does not stop the run.
+/// - The layout is that of HDF5 1.8, which MATLAB and older ParaView read and which has no mark for
+///   "not closed properly".
+///
+/// Every member throws Error with the file's name and the reason of the system or of HDF5.
+class Hdf5File {
+  public:
+    enum class Mode { create, extend };
+
+    /// create replaces a file; extend opens an existing one and reserves room for `bytes` more of
+    /// data (tables and all that HDF5 adds are allowed for).
+    Hdf5File(const std::filesystem::path& path, Mode mode, std::uint64_t bytes);
+    ~Hdf5File();
+    Hdf5File(const Hdf5File&) = delete;
+    Hdf5File& operator=(const Hdf5File&) = delete;
+
+    /// Writes everything out. Without it the destructor closes and swallows errors.
+    void close();
+
+    /// Makes a group and those above it that do not exist.
+    void make_group(const std::string& name);
+
+    /// A table of values.size() / columns rows, a plain list for one column. Large ones are stored
+    /// in compressed chunks.
+    void write(const std::string& name, std::span<const double> values, std::size_t columns = 1);
+    void write(const std::string& name, std::span<const float> values, std::size_t columns = 1);
+    void write(const std::string& name, std::span<const std::uint32_t> values,
+               std::size_t columns = 1);
+    void write(const std::string& name, std::span<const std::uint64_t> values,
+               std::size_t columns = 1);
+    void write(const std::string& name, std::span<const std::string> values);
+
+    /// An attribute of a group or a table ("/" is the file).
+    void describe(const std::string& object, const std::string& name, double value);
+    void describe(const std::string& object, const std::string& name, std::uint64_t value);
+    void describe(const std::string& object, const std::string& name, std::string_view value);
+
+  private:
+    struct Types {
+        hid_t in_memory, in_file;
+    };
+    void write_table(const std::string& name, const void* values, std::size_t rows,
+                     std::size_t columns, Types types);
+    void write_attribute(const std::string& object, const std::string& name, const void* value,
+                         Types types);
+    [[noreturn]] void fail(const std::string& action) const;
+
+    std::filesystem::path path_;
+    hid_t file_ = H5I_INVALID_HID;
+};
+
+}  // namespace dem

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "formats/surfaces.hpp"
+
+#include "common/error.hpp"
+#include "formats/frames.hpp"
+#include "formats/hdf5_file.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace dem {
+
+SurfaceWriter::SurfaceWriter(const std::filesystem::path& directory,
+                             std::span<const ParticleTemplate> shapes)
+    : path_(directory / "surfaces.h5"), index_(directory / "surfaces.xdmf", "surfaces") {
+    for (const ParticleTemplate& shape : shapes) meshes_.push_back(shape.display_mesh);
+    Hdf5File file(path_, Hdf5File::Mode::create, 0);
+    file.make_group("/topologies");
+    file.make_group("/frames");
+    file.close();
+}
+
+void SurfaceWriter::write_triangles(const Frame& frame) {
+    std::vector<std::uint32_t> triangles;
+    std::vector<std::uint32_t> ids;
+    std::uint64_t first = 0;
+    for (std::size_t i = 0; i < frame.shape.size(); ++i) {
+        const DisplayMesh& mesh = meshes_[frame.shape[i]];
+        if (first + mesh.vertices.size() > std::numeric_limits<std::uint32_t>::max()) {
+            throw Error(path_.string(),
+                        "the surfaces of all particles have more than 2^32 vertices, switch "
+                        "surfaces off or use coarser display meshes");
+        }
+        const auto offset = static_cast<std::uint32_t>(first);
+        for (const auto& t : mesh.triangles) {
+            triangles.insert(triangles.end(), {offset + t[0], offset + t[1], offset + t[2]});
+        }
+        ids.insert(ids.end(), mesh.triangles.size(), frame.id[i]);
+        first += mesh.vertices.size();
+    }
+    const std::string group = "/topologies/" + std::to_string(topologies_++) + "/";
+    Hdf5File file(path_, Hdf5File::Mode::extend,
+                  (triangles.size() + ids.size()) * sizeof(std::uint32_t));
+    file.make_group(group);
+    file.write(group + "triangles", triangles, 3);
+    file.write(group + "particle_id", ids);
+    file.close();
+    known_id_.assign(frame.id.begin(), frame.id.end());
+    known_shape_.assign(frame.shape.begin(), frame.shape.end());
+    vertices_ = first;
+    triangles_ = {"surfaces.h5:" + group + "triangles", ids.size(), 3, "UInt", 4};
+    triangle_id_ = {"surfaces.h5:" + group + "particle_id", ids.size(), 1, "UInt", 4};
+}
+
+void SurfaceWriter::append(const Frame& frame, const std::string& frame_name) {
+    if (topologies_ == 0 || !std::ranges::equal(frame.id, known_id_) ||
+        !std::ranges::equal(frame.shape, known_shape_)) {
+        write_triangles(frame);
+    }
+    std::vector<float> points;
+    std::vector<float> speeds;
+    points.reserve(3 * vertices_);
+    speeds.reserve(triangles_.rows);
+    for (std::size_t i = 0; i < frame.shape.size(); ++i) {
+        const DisplayMesh& mesh = meshes_[frame.shape[i]];
+        const Mat3 rotation = frame.orientation[i].toRotationMatrix();
+        for (const Vec3& v : mesh.vertices) {
+            const Eigen::Vector3f p = (frame.position[i] + rotation * v).cast<float>();
+            points.insert(points.end(), p.begin(), p.end());
+        }
+        speeds.insert(speeds.end(), mesh.triangles.size(),
+                      static_cast<float>(frame.velocity[i].norm()));
+    }
+    const std::string group = "/frames/" + frame_name + "/";
+    Hdf5File file(path_, Hdf5File::Mode::extend, (points.size() + speeds.size()) * sizeof(float));
+    file.make_group(group);
+    file.write(group + "points", points, 3);
+    file.write(group + "speed", speeds);
+    file.describe(group, "time", frame.time);
+    file.close();
+    const std::string place = "surfaces.h5:" + group;
+    index_.append({frame.time,
+                   triangles_,
+                   {place + "points", vertices_, 3, "Float", 4},
+                   {{"particle_id", "Scalar", "Cell", triangle_id_},
+                    {"speed", "Scalar", "Cell", {place + "speed", speeds.size(), 1, "Float", 4}}}});
+}
+
+}  // namespace dem
