@@ -190,7 +190,7 @@ void override_value(CaseFile& file, std::string_view assignment) {
     const std::string_view key = split ? name.substr(dot + 1) : std::string_view();
     const std::string_view value = split ? trimmed(assignment.substr(equals + 1)) : key;
     if (!is_name(section, true) || !is_name(key, false) || value.empty()) {
-        throw Error("--set", quoted(assignment) + " found, expected section.key=value");
+        throw UsageError("--set", quoted(assignment) + " found, expected section.key=value");
     }
     const std::string where = "--set " + std::string(name);
     check_text(value, where, false);

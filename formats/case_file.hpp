@@ -42,7 +42,7 @@ CaseFile read_case_file(const std::string& path);
 CaseFile parse_case(std::string_view text, const std::string& path);
 
 /// Sets `section.key=value` over what the file says; adds the key or the section if it is not
-/// there. The key is what follows the last dot before the `=`. Throws Error naming the option.
+/// there. The key is what follows the last dot before the `=`. Throws UsageError naming the option.
 void override_value(CaseFile& file, std::string_view assignment);
 
 }  // namespace dem

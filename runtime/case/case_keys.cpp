@@ -371,6 +371,11 @@ constexpr Key output_keys[] = {
      .type = yes_no,
      .standard = "no",
      .doc = "also write every particle's surface mesh (large)"},
+    {.name = "checkpoint_every",
+     .type = text,
+     .dimension = time,
+     .later = "checkpoint_every",
+     .doc = "not in this version"},
 };
 
 constexpr Key measure_keys[] = {

@@ -138,6 +138,9 @@ void Values::check_key(const CaseEntry& entry) const {
                     "unknown key '" + entry.key + "' in [" + section_.name + "]" +
                         (elsewhere.empty() ? suggestion(entry.key, known) : elsewhere));
     }
+    if (key->later == key->name) {
+        throw Error(entry.where, "'" + entry.key + "' is not in this version");
+    }
     if (!applies(*key)) {
         const std::string_view control = split(key->when, '=')[0];
         throw Error(entry.where, "key '" + entry.key + "' has no meaning for " +

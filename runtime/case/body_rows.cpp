@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/case/body_rows.hpp"
+
+#include "common/error.hpp"
+#include "formats/body_table.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace dem {
+
+namespace {
+
+/// Rows of one group of the run that wrote the table.
+std::vector<BodyRow> rows_of_group(std::vector<BodyRow> rows, const std::string& group,
+                                   const std::string& where) {
+    std::vector<std::string> known;
+    for (const BodyRow& row : rows) {
+        if (std::find(known.begin(), known.end(), row.group) == known.end()) {
+            known.push_back(row.group);
+        }
+    }
+    std::erase_if(rows, [&group](const BodyRow& row) { return row.group != group; });
+    if (rows.empty()) {
+        throw Error(where,
+                    "no row of group '" + group + "' in the table" + suggestion(group, known));
+    }
+    return rows;
+}
+
+std::uint32_t kind_of_row(const BodyRow& row, std::size_t k, const Scene& scene,
+                          const InsertionGroup& group) {
+    if (row.template_name.empty()) return group.kinds[k % group.kinds.size()];
+    std::vector<std::string> known;
+    for (const std::uint32_t kind : group.kinds) {
+        const std::string& name = scene.shapes[scene.kinds[kind].shape].name;
+        if (name == row.template_name) return kind;
+        known.push_back(name);
+    }
+    throw Error(group.file + ":" + std::to_string(row.line),
+                "template '" + row.template_name + "' is none of [particles." + group.name + "]" +
+                    suggestion(row.template_name, known));
+}
+
+}  // namespace
+
+void read_body_rows(const Values& values, const std::filesystem::path& folder, const Scene& scene,
+                    InsertionGroup& group) {
+    group.file = (folder / values.text("file")).lexically_normal().string();
+    group.allow_overlaps = values.word("overlaps") == "allow";
+    if (!std::filesystem::exists(group.file)) {
+        throw Error(values.where("file"), "no such table: " + group.file);
+    }
+    std::vector<BodyRow> rows = read_body_table(group.file);
+    if (values.has("file_group")) {
+        rows =
+            rows_of_group(std::move(rows), values.text("file_group"), values.where("file_group"));
+    }
+    group.count = rows.size();
+    group.placements.reserve(rows.size());
+    for (const BodyRow& row : rows) {
+        BodyPlacement body;
+        body.position = row.position;
+        body.orientation = row.orientation;
+        body.velocity = row.velocity;
+        body.angular_velocity = row.angular_velocity;
+        body.kind = kind_of_row(row, group.placements.size(), scene, group);
+        body.line = row.line;
+        group.placements.push_back(body);
+    }
+}
+
+}  // namespace dem

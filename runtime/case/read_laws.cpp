@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/error.hpp"
+#include "runtime/case/scene_sections.hpp"
+#include "runtime/contact_law/pair_law.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace dem {
+
+namespace {
+
+std::string pair_text(const Scene& scene, std::uint32_t a, std::uint32_t b) {
+    return "materials '" + scene.materials[a].name + "' and '" + scene.materials[b].name + "'";
+}
+
+/// [contact] with what [contact.A.B] says about the same keys put over it.
+CaseSection merged(const CaseSection& base, const CaseSection* pair) {
+    if (pair == nullptr) return base;
+    CaseSection section = *pair;
+    for (const CaseEntry& entry : base.entries) {
+        if (pair->find(entry.key) == nullptr) section.entries.push_back(entry);
+    }
+    return section;
+}
+
+ContactLaw options(const Values& values) {
+    ContactLaw law;
+    law.model = values.choice<ContactLaw::Model>("model");
+    law.method = values.choice<ContactLaw::Method>("contact");
+    law.tangential = values.choice<ContactLaw::Tangential>("tangential");
+    law.damping_mass = values.choice<ContactLaw::DampingMass>("damping_mass");
+    law.multi_contact = values.choice<ContactLaw::MultiContact>("multi_contact");
+    law.radius = values.choice<ContactLaw::Radius>("radius");
+    law.node_normal = values.choice<ContactLaw::NodeNormal>("node_normal");
+    law.limit_force = values.yes_no("limit_force");
+    law.friction = values.optional_number("friction").value_or(0.0);
+    law.stiffness_ratio = values.number("stiffness_ratio");
+    law.damping_ratio = values.number("damping_ratio");
+    return law;
+}
+
+/// Which materials can meet: `particles[m]` when bodies are made of m; walls meet only bodies.
+struct MaterialUse {
+    std::vector<bool> particles, walls;
+    bool can_meet(std::uint32_t a, std::uint32_t b) const {
+        return (particles[a] && (particles[b] || walls[b])) || (particles[b] && walls[a]);
+    }
+};
+
+MaterialUse material_use(const Scene& scene) {
+    MaterialUse use{std::vector<bool>(scene.materials.size()),
+                    std::vector<bool>(scene.materials.size())};
+    for (const BodyKind& kind : scene.kinds) use.particles[kind.material] = true;
+    for (const Wall& wall : scene.walls) use.walls[wall.material] = true;
+    return use;
+}
+
+void check_method(const Scene& scene, const Values& values, const ContactLaw& law, std::uint32_t a,
+                  std::uint32_t b) {
+    if (law.method != ContactLaw::Method::continuous) return;
+    for (const BodyKind& kind : scene.kinds) {
+        const ParticleTemplate& shape = scene.shapes[kind.shape];
+        if ((kind.material != a && kind.material != b) || shape.is_convex) continue;
+        throw Error(values.where("contact"), "'continuous' needs convex shapes and '" + shape.name +
+                                                 "' is not convex, expected 'auto' or 'nodes'");
+    }
+}
+
+ContactLaw law_of(const Scene& scene, const CaseSection& section, std::uint32_t a,
+                  std::uint32_t b) {
+    const Values values(section, *section_kind("contact"));
+    for (const char* key : {"restitution", "friction"}) {
+        if (values.has(key)) continue;
+        throw Error(section.where, "no " + std::string(key) + " for " + pair_text(scene, a, b) +
+                                       ", expected it in [contact] or in [contact." +
+                                       scene.materials[a].name + "." + scene.materials[b].name +
+                                       "]");
+    }
+    const ContactLaw law_options = options(values);
+    check_method(scene, values, law_options, a, b);
+    const auto elasticity = [&](std::uint32_t m) {
+        return Elasticity{scene.materials[m].youngs_modulus, scene.materials[m].poissons_ratio};
+    };
+    return pair_law(elasticity(a), elasticity(b), values.number("restitution"), law_options);
+}
+
+using PairSections = std::map<std::pair<std::uint32_t, std::uint32_t>, const CaseSection*>;
+
+PairSections pair_sections(const CaseFile& file, const Scene& scene) {
+    PairSections pairs;
+    for (const CaseSection& section : file.sections) {
+        const SectionKind* kind = section_kind(section.name);
+        if (kind->pattern != "contact.A.B") continue;
+        const auto words = split(section.name, '.');
+        const auto a = material_index(scene, std::string(words[1]), section.where);
+        const auto b = material_index(scene, std::string(words[2]), section.where);
+        options(Values(section, *kind));
+        const auto [first, is_new] = pairs.emplace(std::minmax(a, b), &section);
+        if (!is_new) {
+            throw Error(section.where, "second section for " + pair_text(scene, a, b) +
+                                           ", first at " + first->second->where);
+        }
+    }
+    return pairs;
+}
+
+}  // namespace
+
+std::uint32_t material_index(const Scene& scene, const std::string& name,
+                             const std::string& where) {
+    std::vector<std::string> known;
+    for (std::uint32_t m = 0; m < scene.materials.size(); ++m) {
+        if (scene.materials[m].name == name) return m;
+        known.push_back(scene.materials[m].name);
+    }
+    throw Error(where, "unknown material '" + name + "'" + suggestion(name, known));
+}
+
+void read_laws(const CaseFile& file, Scene& scene) {
+    const CaseSection nothing{"contact", file.path, {}};
+    const CaseSection* given = file.find("contact");
+    const CaseSection& base = given != nullptr ? *given : nothing;
+    options(Values(base, *section_kind("contact")));
+    const PairSections pairs = pair_sections(file, scene);
+    const MaterialUse use = material_use(scene);
+    const auto count = static_cast<std::uint32_t>(scene.materials.size());
+    scene.laws = LawTable(count);
+    for (std::uint32_t a = 0; a < count; ++a) {
+        for (std::uint32_t b = a; b < count; ++b) {
+            if (!use.can_meet(a, b)) continue;
+            const auto pair = pairs.find({a, b});
+            const CaseSection* section = pair == pairs.end() ? nullptr : pair->second;
+            scene.laws.set(a, b, law_of(scene, merged(base, section), a, b));
+        }
+    }
+}
+
+}  // namespace dem

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/case/read_scene.hpp"
+
+#include "common/error.hpp"
+#include "runtime/case/region.hpp"
+#include "runtime/case/scene_sections.hpp"
+
+#include <filesystem>
+
+namespace dem {
+
+namespace {
+
+/// What stands before the first dot of a section's name or pattern.
+std::string_view first_word(std::string_view section) {
+    return split(section, '.').front();
+}
+
+void check_section_names(const CaseFile& file) {
+    for (const CaseSection& section : file.sections) {
+        if (section_kind(section.name) != nullptr) continue;
+        std::vector<std::string> words;
+        std::string forms;
+        for (const SectionKind& kind : section_kinds()) {
+            words.emplace_back(first_word(kind.pattern));
+            if (first_word(kind.pattern) == first_word(section.name)) {
+                forms += (forms.empty() ? "[" : " or [") + std::string(kind.pattern) + "]";
+            }
+        }
+        throw Error(section.where, "unknown section [" + section.name + "]" +
+                                       (forms.empty() ? suggestion(first_word(section.name), words)
+                                                      : ", expected " + forms));
+    }
+}
+
+/// Calls `use` with the checked values of every section of a kind, in the order of the file.
+template <class Use>
+void for_each(const CaseFile& file, std::string_view pattern, const Use& use) {
+    for (const CaseSection& section : file.sections) {
+        const SectionKind* kind = section_kind(section.name);
+        if (kind->pattern == pattern) use(Values(section, *kind));
+    }
+}
+
+void require_section(const CaseFile& file, std::string_view pattern) {
+    for (const CaseSection& section : file.sections) {
+        if (section_kind(section.name)->pattern == pattern) return;
+    }
+    throw Error(file.path, "no section [" + std::string(pattern) + "], it is required");
+}
+
+}  // namespace
+
+std::string own_name(const std::string& section) {
+    return section.substr(section.find('.') + 1);
+}
+
+Scene read_scene(const CaseFile& file) {
+    check_section_names(file);
+    require_section(file, "run");
+    require_section(file, "particles.NAME");
+    require_section(file, "material.NAME");
+    Scene scene;
+    scene.case_path = file.path;
+    for_each(file, "run", [&](const Values& v) { scene.run = read_run(v); });
+    for_each(file, "material.NAME",
+             [&](const Values& v) { scene.materials.push_back(read_material(v)); });
+    ParticleGroupReader groups(std::filesystem::path(file.path).parent_path());
+    for_each(file, "particles.NAME", [&](const Values& v) { groups.read(v, scene); });
+    for_each(file, "wall.NAME", [&](const Values& v) { read_wall(v, scene); });
+    read_laws(file, scene);
+    const CaseSection nothing{"output", file.path, {}};
+    scene.output = read_output(Values(nothing, *section_kind("output")), scene.run);
+    for_each(file, "output", [&](const Values& v) { scene.output = read_output(v, scene.run); });
+    for_each(file, "measure.NAME",
+             [&](const Values& v) { scene.measures.push_back(read_measure(v, scene.output)); });
+    for (const InsertionGroup& group : scene.insertions) {
+        if (group.mode != InsertionGroup::Mode::file) check_region(group, scene.walls);
+    }
+    return scene;
+}
+
+}  // namespace dem

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/case/scene_summary.hpp"
+
+#include "common/progress.hpp"
+#include "runtime/insertion/inserter.hpp"
+#include "runtime/time_step.hpp"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include <omp.h>
+
+namespace dem {
+
+namespace {
+
+/// One settled candy and one core (docs/benchmarks.md); spheres are three times faster. Good enough
+/// to tell minutes from days.
+constexpr double seconds_per_particle_step = 1e-6;
+
+/// Inserts what is due at the start into an empty world, and every later group alone, which finds
+/// regions that can never hold what they should.
+void try_insertion(const Scene& scene) {
+    Particles particles;
+    Inserter(scene).insert_due(scene, particles, 0.0);
+    for (const InsertionGroup& group : scene.insertions) {
+        if (group.start <= 0.0) continue;
+        Scene alone = scene;
+        alone.insertions = {group};
+        Particles empty;
+        Inserter(alone).insert_due(alone, empty, group.start);
+    }
+}
+
+/// Mass of the first `count` bodies of a group [kg].
+double mass(const Scene& scene, const InsertionGroup& group, std::uint64_t count) {
+    const std::uint64_t cycle = group.kinds.size();
+    double total = 0.0;
+    for (std::uint64_t k = 0; k < cycle; ++k) {
+        const std::uint64_t times = count / cycle + (k < count % cycle ? 1 : 0);
+        total += static_cast<double>(times) * scene.kinds[group.kinds[k]].mass;
+    }
+    return total;
+}
+
+/// Time of the last batch if none finds its region occupied [s]; the start for other groups.
+double last_insertion(const InsertionGroup& group) {
+    if (group.mode != InsertionGroup::Mode::batches) return group.start;
+    const std::uint64_t batches = (group.count + group.batch - 1) / group.batch;
+    return group.start + static_cast<double>(batches - 1) * group.every;
+}
+
+void describe(const Scene& scene, const InsertionGroup& group, std::ostringstream& out) {
+    out << "  " << group.name << ": " << group.count << " x ";
+    const std::size_t kinds = group.kinds.size();
+    const ParticleTemplate& first = scene.shapes[scene.kinds[group.kinds.front()].shape];
+    if (kinds == 1) {
+        out << first.name << " (" << kind_name(first) << ")";
+    } else {
+        out << kinds << " shapes in turn";
+    }
+    out << ", " << mass(scene, group, group.count) << " kg, ";
+    switch (group.mode) {
+        case InsertionGroup::Mode::at_once:
+            out << "at random places";
+            break;
+        case InsertionGroup::Mode::lattice:
+            out << "on a lattice";
+            break;
+        case InsertionGroup::Mode::file:
+            out << "from " << group.file;
+            break;
+        case InsertionGroup::Mode::batches:
+            out << group.batch << " every " << group.every << " s";
+            break;
+    }
+    out << " from " << group.start << " s";
+    const double last = last_insertion(group);
+    if (last > group.start) out << ", the last at " << last << " s or later";
+    if (last > scene.run.end_time) out << " (AFTER end_time: not all will come in)";
+    out << "\n";
+}
+
+void describe(const TimeStep& step, const RunSettings& run, std::ostringstream& out) {
+    const bool rayleigh = step.rayleigh < step.hertz;
+    out << "time step: " << step.value << " s, ";
+    if (run.time_step) {
+        out << "given; ";
+    } else {
+        out << "1/" << run.time_step_fraction << " of ";
+    }
+    out << "the critical time " << step.critical << " s ("
+        << (rayleigh ? "Rayleigh's" : "Hertz's at " + std::to_string(step.largest_speed) + " m/s")
+        << ")\n";
+}
+
+}  // namespace
+
+std::string check_scene(const Scene& scene) {
+    const TimeStep step = time_step(scene);
+    try_insertion(scene);
+    std::ostringstream out;
+    out << std::setprecision(4) << scene.case_path << "\n";
+    std::uint64_t bodies = 0;
+    double particle_time = 0.0;  // bodies times how long each is there [s]
+    double total_mass = 0.0;
+    for (const InsertionGroup& group : scene.insertions) {
+        bodies += group.count;
+        total_mass += mass(scene, group, group.count);
+        const double average_start = 0.5 * (group.start + last_insertion(group));
+        particle_time +=
+            static_cast<double>(group.count) * std::max(0.0, scene.run.end_time - average_start);
+    }
+    out << "particles: " << bodies << ", " << total_mass << " kg\n";
+    for (const InsertionGroup& group : scene.insertions) describe(scene, group, out);
+    out << "walls: " << scene.walls.size();
+    for (std::size_t w = 0; w < scene.walls.size(); ++w) {
+        out << (w == 0 ? " (" : ", ") << scene.walls[w].name;
+    }
+    out << (scene.walls.empty() ? "\n" : ")\n");
+    describe(step, scene.run, out);
+    const int threads = scene.run.threads > 0 ? scene.run.threads : omp_get_num_procs();
+    const double work = particle_time / step.value * seconds_per_particle_step;
+    out << "steps: " << std::fixed << std::setprecision(0)
+        << std::ceil(scene.run.end_time / step.value) << " to " << std::defaultfloat
+        << std::setprecision(4) << scene.run.end_time << " s\n"
+        << "estimate: about " << format_duration(work / threads) << " on " << threads
+        << (threads == 1 ? " thread" : " threads") << ", at 1 us per particle and step\n";
+    return out.str();
+}
+
+}  // namespace dem

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/scene.hpp"
+
+#include <string>
+
+namespace dem {
+
+/// Checks what reading cannot: the time step against the critical one, and that every region holds
+/// what goes in at once (by doing it). Throws Error. Returns the scene in a few lines for a person:
+/// bodies, mass, walls, time step and why, steps, a rough estimate of the time it will take.
+std::string check_scene(const Scene& scene);
+
+}  // namespace dem

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/case/read_scene.hpp"
+
+#include "runtime/case/region.hpp"
+#include "runtime/case/values.hpp"
+#include "runtime/contact_law/pair_law.hpp"
+#include "tests/runtime/case/case_text.hpp"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+namespace dem {
+namespace {
+
+TEST(ReadScene, ASmallCaseBecomesTheSceneItDescribes) {
+    const Scene scene = scene_of(sphere_case());
+    ASSERT_EQ(scene.materials.size(), 2U);
+    EXPECT_DOUBLE_EQ(scene.materials[1].youngs_modulus, 2.0 * 20e6 * 1.25);
+    ASSERT_EQ(scene.kinds.size(), 1U);
+    const double mass = 1000.0 * 4.0 / 3.0 * pi * cube(5e-3);
+    EXPECT_DOUBLE_EQ(scene.kinds[0].mass, mass);
+    EXPECT_DOUBLE_EQ(scene.kinds[0].inertia.y(), 0.4 * mass * square(5e-3));
+    EXPECT_DOUBLE_EQ(scene.kinds[0].inverse_inertia.mass, 1.0 / mass);
+    EXPECT_EQ(scene.run.gravity, Vec3(0.0, 0.0, -9.81));
+    EXPECT_FALSE(scene.run.time_step.has_value());
+    EXPECT_DOUBLE_EQ(scene.output.frames_every, 0.01);
+    ASSERT_EQ(scene.walls.size(), 2U);
+    EXPECT_EQ(scene.walls[0].name, "vessel");
+    EXPECT_EQ(scene.walls[1].name, "vessel.bottom");
+    EXPECT_EQ(std::get<PlaneWall>(scene.walls[1].shape).radius, 25e-3);
+}
+
+TEST(ReadScene, APairOfMaterialsTakesItsOwnValuesAndTheRestFromContact) {
+    const Scene scene = scene_of(sphere_case(), "contact.radius=local",
+                                 "contact.steel.coating.damping_mass=reduced");
+    const ContactLaw& own = scene.laws.at(0, 1);
+    EXPECT_DOUBLE_EQ(own.friction, 0.22);
+    EXPECT_EQ(own.damping_mass, ContactLaw::DampingMass::reduced);
+    EXPECT_EQ(own.radius, ContactLaw::Radius::local);
+    EXPECT_DOUBLE_EQ(own.damping, hertz_damping(0.6));
+    EXPECT_DOUBLE_EQ(scene.laws.at(1, 0).friction, 0.22);
+    const ContactLaw& general = scene.laws.at(0, 0);
+    EXPECT_DOUBLE_EQ(general.friction, 0.38);
+    EXPECT_EQ(general.damping_mass, ContactLaw::DampingMass::contact);
+    EXPECT_EQ(general.radius, ContactLaw::Radius::local);
+    EXPECT_DOUBLE_EQ(general.stiffness_ratio, ContactLaw{}.stiffness_ratio);
+    EXPECT_DOUBLE_EQ(general.damping_ratio, ContactLaw{}.damping_ratio);
+}
+
+// The words of the key table stand in the order of the enums they become.
+TEST(ReadScene, EveryWordOfAChoiceBecomesTheEnumOfTheSameName) {
+    const auto law = [](const std::string& assignment) {
+        return scene_of(sphere_case(), assignment).laws.at(0, 0);
+    };
+    EXPECT_EQ(law("contact.contact=auto").method, ContactLaw::Method::automatic);
+    EXPECT_EQ(law("contact.contact=continuous").method, ContactLaw::Method::continuous);
+    EXPECT_EQ(law("contact.contact=nodes").method, ContactLaw::Method::nodes);
+    EXPECT_EQ(law("contact.tangential=mindlin").tangential, ContactLaw::Tangential::mindlin);
+    EXPECT_EQ(law("contact.multi_contact=sum").multi_contact, ContactLaw::MultiContact::sum);
+    EXPECT_EQ(law("contact.multi_contact=deepest").multi_contact,
+              ContactLaw::MultiContact::deepest);
+    EXPECT_EQ(law("contact.radius=equivalent").radius, ContactLaw::Radius::equivalent);
+    EXPECT_EQ(law("contact.node_normal=normalized").node_normal,
+              ContactLaw::NodeNormal::normalized);
+    EXPECT_EQ(law("contact.node_normal=vectors").node_normal, ContactLaw::NodeNormal::vectors);
+    EXPECT_EQ(law("contact.node_normal=averaged").node_normal, ContactLaw::NodeNormal::averaged);
+    EXPECT_TRUE(law("contact.limit_force=yes").limit_force);
+    const auto mode = [](const std::string& word) {
+        return scene_of(sphere_case(), "particles.balls.insert=" + word).insertions[0].mode;
+    };
+    EXPECT_EQ(mode("at_once"), InsertionGroup::Mode::at_once);
+    EXPECT_EQ(mode("lattice"), InsertionGroup::Mode::lattice);
+    EXPECT_EQ(
+        scene_of(sphere_case(), "particles.balls.insert=batches", "particles.balls.every=1 ms")
+            .insertions[0]
+            .mode,
+        InsertionGroup::Mode::batches);
+    const auto measure = [](const std::string& word) {
+        return scene_of(sphere_case(), "measure.m.kind=" + word).measures[0].kind;
+    };
+    EXPECT_EQ(measure("fill_height"), MeasureSettings::Kind::fill_height);
+    EXPECT_EQ(measure("contacts"), MeasureSettings::Kind::contacts);
+    EXPECT_EQ(measure("solid_fraction"), MeasureSettings::Kind::solid_fraction);
+}
+
+TEST(ReadScene, AFixedBodyHasNoInverseInertiaAndItsOwnKind) {
+    const Scene scene =
+        scene_of(sphere_case("[particles.post]\nradius = 5 mm\nmaterial = coating\n"
+                             "fixed = yes\ncount = 1\n"
+                             "region = box -5 -5 10 5 5 20 mm\n"));
+    ASSERT_EQ(scene.kinds.size(), 2U);
+    EXPECT_EQ(scene.shapes.size(), 1U) << "equal radii share a shape";
+    EXPECT_EQ(scene.kinds[1].inverse_inertia.mass, 0.0);
+    EXPECT_EQ(scene.kinds[1].inverse_inertia.moments, Vec3::Zero());
+    EXPECT_GT(scene.kinds[1].mass, 0.0);
+}
+
+TEST(ReadScene, MistakesAreNamedWithTheirLine) {
+    EXPECT_EQ(case_message(sphere_case("[wal.floor]\nshape = plane\n")),
+              "c.ini:25: unknown section [wal.floor], did you mean 'wall'?");
+    EXPECT_EQ(case_message(sphere_case("[wall]\nshape = plane\n")),
+              "c.ini:25: unknown section [wall], expected [wall.NAME]");
+    EXPECT_EQ(case_message(sphere_case(), "particles.balls.material=coatin"),
+              "--set particles.balls.material: unknown material 'coatin', did you mean 'coating'?");
+    EXPECT_EQ(case_message(sphere_case("[contact.coating.gold]\nfriction = 1\n")),
+              "c.ini:25: unknown material 'gold', expected one of: coating, steel");
+    EXPECT_EQ(case_message(sphere_case("[contact.coating.steel]\nfriction = 1\n")),
+              "c.ini:25: second section for materials 'coating' and 'steel', first at c.ini:13");
+    EXPECT_EQ(
+        case_message(sphere_case(), "particles.balls.material=steel"),
+        "--set particles.balls.material: material 'steel' has no density, particles need one");
+    EXPECT_EQ(case_message(sphere_case(), "material.steel.youngs_modulus=1 GPa"),
+              "c.ini:8: shear_modulus: both youngs_modulus and shear_modulus in [material.steel], "
+              "expected one of them");
+    EXPECT_EQ(case_message(sphere_case(), "particles.balls.template=a.tpl"),
+              "c.ini:16: radius: both template and radius in [particles.balls], expected one of "
+              "them");
+    EXPECT_EQ(case_message(sphere_case(), "run.time_step=2 s"),
+              "--set run.time_step: '2 s' found, expected less than end_time = 1 s");
+    EXPECT_EQ(case_message(sphere_case(), "output.checkpoint_every=1 min"),
+              "--set output.checkpoint_every: 'checkpoint_every' is not in this version");
+    EXPECT_EQ(case_message("[run]\nend_time = 1\n"),
+              "c.ini: no section [particles.NAME], it is required");
+    const std::string missing =
+        case_message(sphere_case("[particles.tablets]\nmaterial = coating\n"
+                                 "template = none.tpl\ncount = 1\n"
+                                 "region = box 0 0 0 1 1 1\n"));
+    EXPECT_TRUE(missing.starts_with("c.ini:27: template: none.tpl: ")) << missing;
+}
+
+TEST(ReadScene, APairThatCanMeetNeedsRestitutionAndFriction) {
+    std::string text = sphere_case();
+    text.replace(text.find("friction = 0.38\n"), 16, "");
+    EXPECT_EQ(case_message(text),
+              "c.ini:10: no friction for materials 'coating' and 'coating', expected it in "
+              "[contact] or in [contact.coating.coating]");
+    EXPECT_EQ(case_message(text, "contact.coating.coating.friction=0.1"), "fine")
+        << "steel meets only coating";
+}
+
+TEST(ReadScene, WallsStandWhereTheCaseSays) {
+    const Scene scene = scene_of(sphere_case(
+        "[wall.box]\nshape = box\nlower = -1 -2 -3\nupper = 1 2 3\nopen = top\nmaterial = steel\n"
+        "motion = rotate\nrate = 60 rpm\nrotation_axis = 0 0 2\n"
+        "[wall.drum]\nshape = cylinder\npoint = 0 -1 0\naxis = 0 2 0\nlength = 2\nradius = 9\n"
+        "ends = both\nmaterial = steel\nmotion = rotate\nrate = -1 rad/s\nfrom = 1\nuntil = 2\n"));
+    ASSERT_EQ(scene.walls.size(), 2U + 5U + 3U);
+    for (std::size_t w = 2; w < 7; ++w) {
+        const Wall& wall = scene.walls[w];
+        const Vec3 inward = wall.orientation * Vec3::UnitZ();
+        EXPECT_LT(inward.dot(wall.position), 0.0) << wall.name << " faces the center";
+        EXPECT_EQ(wall.motion.point, Vec3::Zero());
+        EXPECT_NEAR(wall.motion.rate, 2.0 * pi, 1e-12);
+        EXPECT_EQ(wall.motion.axis, Vec3::UnitZ());
+        EXPECT_NE(wall.name, "box.top");
+    }
+    const Wall& top = scene.walls[9];
+    EXPECT_EQ(top.name, "drum.top");
+    EXPECT_TRUE(top.position.isApprox(Vec3(0.0, 1.0, 0.0)));
+    EXPECT_TRUE((top.orientation * Vec3::UnitZ()).isApprox(-Vec3::UnitY()));
+    EXPECT_EQ(top.motion.axis, Vec3::UnitY());
+    EXPECT_EQ(top.motion.until, 2.0);
+    EXPECT_NE(case_message(sphere_case(), "wall.vessel.ends=top"), "fine");
+    EXPECT_NE(case_message(sphere_case(), "wall.vessel.side=outside", "wall.vessel.ends=both"),
+              "fine");
+    EXPECT_NE(case_message(sphere_case(), "wall.vessel.axis=0 0 0"), "fine");
+}
+
+TEST(ReadScene, ARegionThatReachesIntoAWallIsRefused) {
+    const auto with = [](const std::string& region) {
+        return case_message(sphere_case(), "particles.balls.region=" + region);
+    };
+    EXPECT_EQ(with("cylinder 0 0 0  0 0 50  25 mm"), "fine") << "as wide as the vessel";
+    EXPECT_EQ(with("cylinder 0 0 0  0 0 50  30 mm"),
+              "c.ini:15: the region of [particles.balls] reaches 5 mm into wall 'vessel', expected "
+              "it inside the walls");
+    EXPECT_NE(with("cylinder 0 0 -1  0 0 50  25 mm"), "fine") << "through the floor";
+    EXPECT_NE(with("box -20 -20 0 20 20 50 mm"), "fine") << "corners outside";
+    EXPECT_EQ(with("box -17 -17 0 17 17 50 mm"), "fine");
+    EXPECT_NE(with("cylinder 10 0 0  10 0 50  25 mm"), "fine") << "off the axis";
+    EXPECT_NE(with("cylinder -20 0 30  20 0 30  20 mm"), "fine") << "lying";
+    EXPECT_EQ(with("cylinder -15 0 30  15 0 30  20 mm"), "fine");
+}
+
+TEST(Region, VolumeAndExtentAreThoseOfTheSolid) {
+    const Region box = parse_region("box 0 0 0 1 2 3");
+    EXPECT_DOUBLE_EQ(volume(box), 6.0);
+    EXPECT_DOUBLE_EQ(support(box, Vec3(-1.0, 0.0, 0.0)), 0.0);
+    EXPECT_DOUBLE_EQ(support(box, Vec3(0.6, 0.0, 0.8)), 0.6 + 2.4);
+    const Region cylinder = parse_region("cylinder 1 0 0 3 0 0 2");
+    EXPECT_DOUBLE_EQ(volume(cylinder), 8.0 * pi);
+    EXPECT_DOUBLE_EQ(bounds(cylinder).lower.x(), 1.0);
+    EXPECT_DOUBLE_EQ(bounds(cylinder).upper.z(), 2.0);
+}
+
+class BodyFile : public testing::Test {
+  protected:
+    // One file per test: they run at the same time.
+    BodyFile()
+        : path_(testing::TempDir() + "case_test_" +
+                testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv") {}
+    ~BodyFile() override { std::remove(path_.c_str()); }
+    std::string message(const std::string& table, const std::string& more = "") {
+        std::ofstream(path_) << table;
+        return case_message(case_text(more));
+    }
+    std::string case_text(const std::string& more) const {
+        return sphere_case(
+            "[particles.probe]\nradius = 5 mm\nmaterial = coating\ninsert = file\n"
+            "file = " +
+            path_ + "\n" + more);
+    }
+    std::string path_;
+};
+
+TEST_F(BodyFile, RowsBecomePlacements) {
+    std::ofstream(path_) << "x,z,vx,group\n0.01,0.05,2,a\n-0.01,0.05,0,b\n";
+    const Scene scene = scene_of(case_text(""));
+    const InsertionGroup& group = scene.insertions[1];
+    ASSERT_EQ(group.count, 2U);
+    EXPECT_EQ(group.placements[0].position, Vec3(0.01, 0.0, 0.05));
+    EXPECT_EQ(group.placements[0].velocity, Vec3(2.0, 0.0, 0.0));
+    EXPECT_EQ(group.placements[1].line, 3U);
+    const Scene one = scene_of(case_text("file_group = b\n"));
+    ASSERT_EQ(one.insertions[1].count, 1U);
+    EXPECT_EQ(one.insertions[1].placements[0].position.x(), -0.01);
+}
+
+TEST_F(BodyFile, ARowThatCannotBeUsedIsNamed) {
+    EXPECT_EQ(message("x\n0\nzero\n").substr(0, path_.size() + 2), path_ + ":3");
+    EXPECT_NE(message("x,template\n0,tablet\n").find(":2: template 'tablet' is none of"),
+              std::string::npos);
+    EXPECT_NE(message("x,group\n0,a\n", "file_group = c\n").find("no row of group 'c'"),
+              std::string::npos);
+    EXPECT_NE(message("x\n0\n", "count = 3\n").find("key 'count' has no meaning"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace dem
