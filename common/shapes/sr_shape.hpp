@@ -48,6 +48,7 @@ struct SdfQuadtree {
     double origin_r = 0.0, origin_z = 0.0;
     double base_size = 0.0;  ///< edge of a base cell [m]
     std::uint32_t cells_r = 0, cells_z = 0;
+    double margin = 0.0;         ///< the grid holds every point this near to the cross-section [m]
     SharedArray<SdfCell> cells;  ///< cells_r * cells_z, r fastest
     SharedArray<double> values;  ///< [m]
     /// Bound of |interpolated - exact| wherever the interpolant is positive (only there a search

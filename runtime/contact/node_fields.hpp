@@ -4,6 +4,7 @@
 #include "common/shapes/sdf_quadtree.hpp"
 #include "common/shapes/sr_shape.hpp"
 #include "runtime/contact/contact_types.hpp"
+#include "runtime/contact/sdf_vectors.hpp"
 #include "runtime/contact/wall_shapes.hpp"
 
 #include <algorithm>
@@ -55,6 +56,11 @@ struct SrField {
     Vec3 in_space(const Vec3& x, const Sample& s, double along_r, double along_z) const {
         const Vec3 radial = x - center - s.z * axis;
         return (s.r > 0.0 ? along_r / s.r : 0.0) * radial + along_z * axis;
+    }
+    /// [SR] Sec. 2.4: interpolated distance vector [m].
+    Vec3 distance_vector(const Vec3& x, const Sample& s) const {
+        const Vec2 d = interpolated_distance_vector(*sdf, s.r, s.z);
+        return in_space(x, s, d.x(), d.y());
     }
     static bool accepts(const Vec3& /*x*/) { return true; }
 

@@ -88,9 +88,11 @@ class SdfBuilder {
     void build(double length, double max_radius, double min_z, double max_z) {
         sdf_.base_size = length / 50.0;
         sdf_.origin_r = -0.125 * sdf_.base_size;
-        sdf_.origin_z = min_z - 2.5 * sdf_.base_size;
-        sdf_.cells_r = static_cast<std::uint32_t>(max_radius / sdf_.base_size + 3.0);
-        sdf_.cells_z = static_cast<std::uint32_t>((max_z - min_z) / sdf_.base_size + 6.0);
+        constexpr std::uint32_t cells = 6;  // of margin
+        sdf_.margin = cells * sdf_.base_size;
+        sdf_.origin_z = min_z - sdf_.margin;
+        sdf_.cells_r = static_cast<std::uint32_t>(max_radius / sdf_.base_size + cells + 2);
+        sdf_.cells_z = static_cast<std::uint32_t>((max_z - min_z) / sdf_.base_size + 2 * cells + 1);
         choose_levels();
         fill();
         sdf_.cells = cells_;
