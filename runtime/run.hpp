@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/progress.hpp"
 #include "runtime/scene.hpp"
 
 #include <csignal>
@@ -9,7 +10,7 @@
 namespace dem {
 
 struct RunOptions {
-    bool quiet = false;  ///< no progress on stderr
+    Progress* progress = nullptr;  ///< updated with the simulated time, out of Scene::run.end_time
     /// Set by a signal handler: the run ends after the current step and keeps everything.
     const volatile std::sig_atomic_t* stop_requested = nullptr;
 };

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/math/aabb.hpp"
+#include "runtime/scene.hpp"
+
+namespace dem {
+
+/// Box about all finite walls, insertion regions and placed bodies of a scene at time 0. Empty when
+/// there are none.
+Aabb scene_extent(const Scene& scene);
+
+/// The largest speed that a body may reach [m/s]: thrown at its start, fallen through the whole
+/// scene and hit by the fastest wall.
+double largest_expected_speed(const Scene& scene);
+
+/// The box that no center of mass may leave: the one of the case file, or the scene's extent with
+/// room on every side for its largest edge, for what flies freely and for walls that move. It is
+/// there to find bodies that got out, not to hold them.
+Aabb domain(const Scene& scene);
+
+}  // namespace dem

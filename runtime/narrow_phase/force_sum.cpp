@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/narrow_phase/force_sum.hpp"
+
+namespace dem {
+
+namespace {
+constexpr std::uint32_t parallel_threshold = 500;
+}
+
+void sum_forces(Particles& particles, const NeighborLists& lists, const Scene& scene,
+                EnergyLedger& ledger) {
+    particles.force.swap(particles.old_force);
+    particles.torque.swap(particles.old_torque);
+    const std::uint32_t count = particles.size();
+#pragma omp parallel for schedule(static) if (count >= parallel_threshold)
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Vec3 force = Vec3::Zero();
+        Vec3 torque = Vec3::Zero();
+        double dissipated = 0.0;
+        double wall_work = 0.0;
+        for (const Adjacency::Entry entry : lists.adjacency.of(i)) {
+            if (lists.touching[entry.result] == 0) continue;
+            const PairResult& pair = lists.results[entry.result];
+            if (entry.is_j != 0) {
+                force -= pair.force;
+                torque += pair.torque_j;
+            } else {
+                force += pair.force;
+                torque += pair.torque_i;
+                dissipated += pair.dissipated_energy;
+                wall_work += pair.wall_work;
+            }
+        }
+        particles.force[i] = force + scene.kinds[particles.kind[i]].mass * scene.run.gravity;
+        particles.torque[i] = torque;
+        ledger.dissipated[i] += dissipated;
+        ledger.wall_work[i] += wall_work;
+    }
+}
+
+}  // namespace dem

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/narrow_phase/neighbor_lists.hpp"
+
+#include <vector>
+
+namespace dem {
+
+/// What each particle has lost and been given since it was inserted, a pair's share booked on its
+/// first particle, so that sums do not depend on threads [J].
+struct EnergyLedger {
+    std::vector<double> dissipated;  ///< by dashpots and slip
+    std::vector<double> wall_work;   ///< done on it by moving walls
+
+    void resize(std::size_t particles) {
+        dissipated.resize(particles, 0.0);
+        wall_work.resize(particles, 0.0);
+    }
+};
+
+/// Force and torque on every particle: its contacts in the order of the adjacency, then its weight.
+/// What they were goes to old_force and old_torque.
+void sum_forces(Particles& particles, const NeighborLists& lists, const Scene& scene,
+                EnergyLedger& ledger);
+
+}  // namespace dem

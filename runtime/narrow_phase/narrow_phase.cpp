@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/narrow_phase/narrow_phase.hpp"
+
+#include "runtime/walls/wall_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <omp.h>
+
+namespace dem {
+
+namespace {
+
+constexpr std::uint32_t parallel_threshold = 200;
+
+// ---- What differs between pairs of particles and pairs with walls.
+
+struct ParticlePartner {
+    static constexpr bool is_wall = false;
+    const Bodies& bodies;
+    std::span<const double> radius;  // equivalent, per kind
+
+    template <class B>
+    const B& shape(std::uint32_t j) const {
+        return *std::get_if<B>(&bodies.shape(j).shape);
+    }
+    double travel(std::uint32_t j) const { return bodies.particles.travel[j]; }
+    PairState pair(const IdPair& ids) const { return bodies.pair(ids.i, ids.j); }
+    const ContactLaw& law(const IdPair& ids) const { return bodies.law(ids.i, ids.j); }
+    double smaller_radius(const IdPair& ids) const {
+        const auto& kind = bodies.particles.kind;
+        return std::min(radius[kind[ids.i]], radius[kind[ids.j]]);
+    }
+    static double work(const PairState&, const PairContact&, double) { return 0.0; }
+};
+
+struct WallPartner {
+    static constexpr bool is_wall = true;
+    const Bodies& bodies;
+    std::span<const double> radius;
+
+    template <class B>
+    const B& shape(std::uint32_t j) const {
+        return *std::get_if<B>(&bodies.scene.walls[j].shape);
+    }
+    double travel(std::uint32_t j) const { return bodies.walls.travel[j]; }
+    PairState pair(const IdPair& ids) const { return bodies.wall_pair(ids.i, ids.j); }
+    const ContactLaw& law(const IdPair& ids) const { return bodies.wall_law(ids.i, ids.j); }
+    double smaller_radius(const IdPair& ids) const { return radius[bodies.particles.kind[ids.i]]; }
+    // The wall feels -force and torque_j; what it gives to the particle is their work, negated.
+    static double work(const PairState& pair, const PairContact& contact, double dt) {
+        return dt *
+               (contact.force.dot(pair.j.velocity) - contact.torque_j.dot(pair.j.angular_velocity));
+    }
+};
+
+// ---- How far apart a pair that does not touch is at least [m].
+
+double proven_gap(const Bodies&, const Sphere& a, const Sphere& b, const PairState& pair,
+                  const IdPair&) {
+    return pair.displacement.norm() - a.radius - b.radius;
+}
+
+template <class Wall>
+double proven_gap(const Bodies& bodies, const Sphere& a, const Wall& wall, const PairState&,
+                  const IdPair& ids) {
+    return wall_distance(wall, bodies.walls.state[ids.j], bodies.particles.position[ids.i]) -
+           a.radius;
+}
+
+// Travels and positions are long sums, each term rounded: a little less than the gap is certain.
+double certain_travel(double travel, double gap, double radius) {
+    return travel * (1.0 - 1e-13) + gap - 1e-9 * radius;
+}
+
+// ---- The work of one thread on one list.
+
+template <class List, class Partner>
+struct Worker {
+    List& list;
+    NeighborLists& lists;
+    const Partner partner;
+    double dt;
+    std::vector<typename List::NewContact>& begun;
+    LargestOverlap largest{};
+
+    void compute(std::uint32_t k) {
+        const IdPair ids = list.ids[k];
+        const Bodies& bodies = partner.bodies;
+        const double travel = bodies.particles.travel[ids.i] + partner.travel(ids.j);
+        if (travel < list.quiet_until[k]) return;
+
+        const auto& a = *std::get_if<typename List::A>(&bodies.shape(ids.i).shape);
+        const auto& b = partner.template shape<typename List::B>(ids.j);
+        const PairState pair = partner.pair(ids);
+        typename List::History fresh{};
+        const bool is_new = list.history_of[k] == List::none;
+        auto& history = is_new ? fresh : list.histories[list.history_of[k]];
+        const PairContact contact = collide(a, b, pair, partner.law(ids), dt, history);
+
+        const std::uint32_t r = list.first_result + k;
+        lists.touching[r] = contact.touches() ? 1 : 0;
+        if (!contact.touches()) {
+            const double gap = proven_gap(bodies, a, b, pair, ids);
+            list.quiet_until[k] = certain_travel(travel, gap, partner.smaller_radius(ids));
+            return;
+        }
+        lists.results[r] = {
+            contact.force,          contact.torque_i,          contact.torque_j,
+            contact.elastic_energy, contact.dissipated_energy, partner.work(pair, contact, dt)};
+        list.quiet_until[k] = List::never_quiet;
+        if (is_new) begun.push_back({k, fresh});
+        const double relative = contact.overlap / partner.smaller_radius(ids);
+        if (relative > largest.relative) largest = {relative, ids, Partner::is_wall};
+    }
+};
+
+template <class Partner, class List>
+void compute_list(List& list, NeighborLists& lists, const Partner& partner, double dt,
+                  NarrowPhaseScratch& scratch) {
+    const std::uint32_t size = list.size();
+    if (size == 0) return;
+    list.begun.resize(scratch.threads.size());
+#pragma omp parallel if (size >= parallel_threshold)
+    {
+        const auto thread = static_cast<std::size_t>(omp_get_thread_num());
+        Worker<List, Partner> worker{list, lists, partner, dt, list.begun[thread]};
+#pragma omp for schedule(static)
+        for (std::uint32_t k = 0; k < size; ++k) worker.compute(k);
+        LargestOverlap& largest = scratch.threads[thread].largest;
+        if (worker.largest.relative > largest.relative) largest = worker.largest;
+    }
+    // Threads took rising parts of the list, so this is the order of the list for any number.
+    for (auto& begun : list.begun) {
+        for (const auto& contact : begun) list.add_history(contact.pair, contact.history);
+        begun.clear();
+    }
+}
+
+}  // namespace
+
+NarrowPhaseScratch make_scratch(const Scene& scene) {
+    NarrowPhaseScratch scratch;
+    scratch.threads.resize(static_cast<std::size_t>(omp_get_max_threads()));
+    for (const BodyKind& kind : scene.kinds) {
+        const double volume = scene.shapes[kind.shape].mass_properties.volume;
+        scratch.equivalent_radius.push_back(0.5 * equivalent_diameter(volume));
+    }
+    return scratch;
+}
+
+LargestOverlap compute_contacts(NeighborLists& lists, const Bodies& bodies, double dt,
+                                NarrowPhaseScratch& scratch) {
+    for (auto& thread : scratch.threads) thread.largest = {};
+    const ParticlePartner particle{bodies, scratch.equivalent_radius};
+    const WallPartner wall{bodies, scratch.equivalent_radius};
+    std::apply([&](auto&... list) { (compute_list(list, lists, particle, dt, scratch), ...); },
+               lists.pairs);
+    std::apply([&](auto&... list) { (compute_list(list, lists, wall, dt, scratch), ...); },
+               lists.walls);
+
+    LargestOverlap largest;
+    for (const auto& thread : scratch.threads) {
+        if (thread.largest.relative > largest.relative) largest = thread.largest;
+    }
+    return largest;
+}
+
+}  // namespace dem

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/narrow_phase/neighbor_lists.hpp"
+
+#include <vector>
+
+namespace dem {
+
+/// The pair that overlaps most, measured by the smaller radius (of the sphere of equal volume) of
+/// its two bodies.
+struct LargestOverlap {
+    double relative = 0.0;
+    IdPair ids{0, 0};
+    bool is_wall = false;  ///< ids.j is a wall
+};
+
+/// Room that the narrow phase works in, kept from step to step: nothing is allocated in a step.
+struct NarrowPhaseScratch {
+    struct Thread {
+        LargestOverlap largest;
+        ContactScratch points;
+    };
+    std::vector<Thread> threads;
+    std::vector<double> equivalent_radius;  ///< per kind [m]
+};
+
+/// For the number of threads in force now (omp_set_num_threads).
+NarrowPhaseScratch make_scratch(const Scene& scene);
+
+/// Computes every contact of the lists at the present state (dt: the step that led here) and fills
+/// the results. Each pair is computed by itself, so the number of threads changes nothing.
+LargestOverlap compute_contacts(NeighborLists& lists, const Bodies& bodies, double dt,
+                                NarrowPhaseScratch& scratch);
+
+}  // namespace dem

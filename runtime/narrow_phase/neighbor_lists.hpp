@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/broad_phase/body_aabb.hpp"
+#include "runtime/narrow_phase/bodies.hpp"
+#include "runtime/narrow_phase/pair_kinds.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace dem {
+
+/// What one pair does in this step: what the sum over a particle's contacts needs, no more.
+struct PairResult {
+    Vec3 force;                ///< on i [N]
+    Vec3 torque_i, torque_j;   ///< about the centres of mass [N m]
+    double elastic_energy;     ///< [J]
+    double dissipated_energy;  ///< during this step [J]
+    double wall_work;          ///< of a moving wall on the particle during this step [J]
+};
+
+/// The contacts of every particle as indices of results, in the order in which they are summed:
+/// partners by rising id, then walls in the order of the case file.
+struct Adjacency {
+    struct Entry {
+        std::uint32_t result : 31;
+        std::uint32_t is_j : 1;  ///< the particle is the second of its pair
+    };
+    std::vector<std::uint32_t> begin;  ///< particles + 1
+    std::vector<Entry> entries;
+
+    /// None for a particle added since the lists were made.
+    std::span<const Entry> of(std::uint32_t particle) const {
+        if (particle + 1 >= begin.size()) return {};
+        return {entries.data() + begin[particle], entries.data() + begin[particle + 1]};
+    }
+};
+
+/// Neighbor lists: every pair that may touch until some body has used up its margin, sorted into
+/// one list per pair of shape kinds. Results do not depend on when lists are made.
+struct NeighborLists {
+    PairLists pairs;
+    WallLists walls;
+    Adjacency adjacency;
+    std::vector<PairResult> results;     ///< of all lists, one after the other
+    std::vector<std::uint8_t> touching;  ///< flag per result
+    std::vector<double> particle_limit;  ///< travel up to which the lists hold [m]
+    std::vector<double> wall_limit;
+    std::uint64_t rebuilds = 0;
+};
+
+/// True when a body has been added or has moved farther than its margin.
+bool is_stale(const NeighborLists& lists, const Bodies& bodies);
+
+/// Makes new lists for the bodies where they are now. `margins`: how far each particle may move
+/// before the next rebuild [m]; `wall_margins`: the same for the walls.
+void rebuild(NeighborLists& lists, const Bodies& bodies, const BodyAabbs& aabbs,
+             std::span<const double> margins, std::span<const double> wall_margins);
+
+}  // namespace dem

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/shapes/particle_template.hpp"
+#include "runtime/contact/sphere_sphere.hpp"
+#include "runtime/contact/sphere_wall.hpp"
+#include "runtime/contact_law/contact_point.hpp"
+#include "runtime/narrow_phase/pair_list.hpp"
+
+#include <tuple>
+#include <variant>
+
+/// Every pair of shapes that the time loop supports: one line here, one `collide` overload in
+/// runtime/contact.
+namespace dem {
+
+using PairLists = std::tuple<PairList<Sphere, Sphere, PointHistory, NoCache>>;
+
+using WallLists = std::tuple<PairList<Sphere, PlaneWall, PointHistory, NoCache>,
+                             PairList<Sphere, CylinderWall, PointHistory, NoCache>>;
+
+/// How contacts of these shapes are computed: shapes that are not convex need nodes.
+inline ContactLaw::Method contact_method(bool all_convex, const ContactLaw& law) {
+    const bool with_nodes = law.method == ContactLaw::Method::nodes || !all_convex;
+    return with_nodes ? ContactLaw::Method::nodes : ContactLaw::Method::continuous;
+}
+
+/// Whether a pair of shapes belongs to a list.
+template <class List>
+bool handles(const ParticleTemplate& a, const ParticleTemplate& b, const ContactLaw& law) {
+    return std::holds_alternative<typename List::A>(a.shape) &&
+           std::holds_alternative<typename List::B>(b.shape) &&
+           (List::method == ContactLaw::Method::automatic ||
+            List::method == contact_method(a.is_convex && b.is_convex, law));
+}
+template <class List>
+bool handles(const ParticleTemplate& a, const WallShape& wall, const ContactLaw& law) {
+    return std::holds_alternative<typename List::A>(a.shape) &&
+           std::holds_alternative<typename List::B>(wall) &&
+           (List::method == ContactLaw::Method::automatic ||
+            List::method == contact_method(a.is_convex, law));
+}
+
+}  // namespace dem

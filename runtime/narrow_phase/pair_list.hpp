@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/broad_phase/hierarchical_grid.hpp"
+#include "runtime/contact/contact_types.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace dem {
+
+/// For kernels that prove no gap.
+struct NoCache {};
+
+/// Candidate pairs of one pair of shape kinds: A of particle i, B of particle j or of wall j. What
+/// a pair keeps between steps is carried from list to list; only touching pairs have a history.
+/// `Method`: the way of computing contacts that the list is for; automatic: the only one there is.
+template <class ShapeA, class ShapeB, class HistoryType, class CacheType,
+          ContactLaw::Method Method = ContactLaw::Method::automatic>
+struct PairList {
+    using A = ShapeA;
+    using B = ShapeB;
+    using History = HistoryType;
+    using Cache = CacheType;
+    static constexpr ContactLaw::Method method = Method;
+    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    static constexpr double never_quiet = -1.0;
+
+    std::vector<IdPair> ids;  ///< sorted
+    /// The pair cannot touch before the travels of its two bodies add up to this [m].
+    std::vector<double> quiet_until;
+    std::vector<std::uint32_t> history_of;  ///< index into `histories`, or none
+    std::vector<History> histories;
+    std::vector<Cache> caches;
+    /// Contacts begun in this step, per thread, waiting for a place in `histories`.
+    struct NewContact {
+        std::uint32_t pair;
+        History history;
+    };
+    std::vector<std::vector<NewContact>> begun;
+    std::uint32_t first_result = 0;  ///< where this list's part of the results begins
+
+    std::uint32_t size() const { return static_cast<std::uint32_t>(ids.size()); }
+
+    void reset(std::vector<IdPair> sorted_ids, std::uint32_t first) {
+        ids = std::move(sorted_ids);
+        quiet_until.assign(ids.size(), never_quiet);
+        history_of.assign(ids.size(), none);
+        histories.clear();
+        caches.assign(ids.size(), Cache{});
+        first_result = first;
+    }
+
+    void add_history(std::uint32_t pair, const History& history) {
+        history_of[pair] = static_cast<std::uint32_t>(histories.size());
+        histories.push_back(history);
+    }
+};
+
+/// Takes over what the pairs of `old` remember by walking both sorted lists at once. `touching`:
+/// one flag per pair of `old`; the histories of pairs that no longer touch are dropped.
+template <class List>
+void carry_over(const List& old, std::span<const std::uint8_t> touching, List& list) {
+    std::uint32_t o = 0;
+    for (std::uint32_t k = 0; k < list.size(); ++k) {
+        while (o < old.size() && old.ids[o] < list.ids[k]) ++o;
+        if (o == old.size()) return;
+        if (old.ids[o] != list.ids[k]) continue;
+        list.quiet_until[k] = old.quiet_until[o];
+        list.caches[k] = old.caches[o];
+        if (touching[o] != 0) list.add_history(k, old.histories[old.history_of[o]]);
+    }
+}
+
+}  // namespace dem

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/simulation.hpp"
+
+#include "common/error.hpp"
+#include "common/state_hash.hpp"
+#include "runtime/broad_phase/margins.hpp"
+#include "runtime/domain.hpp"
+#include "runtime/integrator/integrator.hpp"
+#include "runtime/measure/energy.hpp"
+
+#include <cstdio>
+#include <utility>
+
+namespace dem {
+
+namespace {
+
+constexpr std::uint32_t parallel_threshold = 1000;
+
+/// Overlap, in radii of the smaller body, above which a contact law for small overlaps means
+/// nothing: a run that gets there has too large a time step, too soft a material, or bodies pushed
+/// into each other.
+constexpr double largest_relative_overlap = 0.1;
+
+std::vector<double> surface_reach(const Scene& scene) {
+    std::vector<double> reach;
+    for (const BodyKind& kind : scene.kinds) {
+        const ParticleTemplate& shape = scene.shapes[kind.shape];
+        const bool is_sphere = std::holds_alternative<Sphere>(shape.shape);
+        reach.push_back(is_sphere ? 0.0 : shape.bounding_radius);
+    }
+    return reach;
+}
+
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+    char buffer[256];
+    std::snprintf(buffer, sizeof buffer, format, values...);
+    return buffer;
+}
+
+}  // namespace
+
+Simulation::Simulation(Scene scene, double dt)
+    : scene_(std::move(scene)),
+      dt_(dt),
+      domain_(domain(scene_)),
+      aabbs_(scene_.shapes),
+      surface_reach_(surface_reach(scene_)),
+      wall_margins_(wall_margins(scene_)),
+      inserter_(scene_),
+      walls_(place_walls(scene_.walls)),
+      scratch_(make_scratch(scene_)) {
+    insert_due();
+    check_bodies();
+    // Bodies from the end of another run may touch from the start.
+    rebuild_lists();
+    largest_overlap_ = compute_contacts(lists_, bodies(), 0.0, scratch_);
+    sum_forces(particles_, lists_, scene_, ledger_);
+}
+
+// Algorithm 1 of docs/time-loop.md.
+void Simulation::step() {
+    kick(particles_, scene_.kinds, 0.5 * dt_);             // 1  v(t + dt/2)
+    drift(particles_, scene_.kinds, surface_reach_, dt_);  // 2  x(t + dt)
+    predict(particles_, scene_.kinds, dt_);                // 3  v(t + dt), a first guess
+    ++steps_;
+    move_walls(walls_, scene_.walls, domain_, time());  // 4
+    check_bodies();                                     // 5
+    if (is_stale(lists_, bodies())) rebuild_lists();    // 6  broad phase
+    largest_overlap_ = compute_contacts(                // 7  narrow phase, contact laws
+        lists_, bodies(), dt_, scratch_);
+    check_overlap();                                  // 8
+    sum_forces(particles_, lists_, scene_, ledger_);  // 9
+    correct(particles_, scene_.kinds, dt_);           // 10 v(t + dt)
+    insert_due();                                     // 11
+}
+
+void Simulation::insert_due() {
+    if (inserter_.next_time() > time()) return;
+    const std::uint32_t before = particles_.size();
+    inserter_.insert_due(scene_, particles_, time());
+    ledger_.resize(particles_.size());
+    for (std::uint32_t i = before; i < particles_.size(); ++i) {
+        // Nothing touches a new body, so its weight is its force.
+        particles_.force[i] = scene_.kinds[particles_.kind[i]].mass * scene_.run.gravity;
+        inserted_energy_ += mechanical_energy(particles_, scene_, i);
+    }
+}
+
+void Simulation::rebuild_lists() {
+    rebuild(lists_, bodies(), aabbs_, margins(particles_, scene_, surface_reach_, dt_),
+            wall_margins_);
+}
+
+void Simulation::check_bodies() const {
+    const std::uint32_t count = particles_.size();
+    bool all_inside = true;
+#pragma omp parallel for schedule(static) reduction(&& : all_inside) if (count >= parallel_threshold)
+    for (std::uint32_t i = 0; i < count; ++i) {
+        all_inside = all_inside && domain_.contains(particles_.position[i]);  // false for NaN, too
+    }
+    for (std::uint32_t i = 0; i < count && !all_inside; ++i) {
+        const Vec3& x = particles_.position[i];
+        if (domain_.contains(x)) continue;
+        const std::string at = formatted("(%.4g %.4g %.4g) m", x.x(), x.y(), x.z());
+        if (!x.allFinite()) {
+            throw Error(here(), "particle " + std::to_string(i) + " is at " + at +
+                                    ": not a number; the time step may be too large");
+        }
+        throw Error(here(), "particle " + std::to_string(i) + " has left the domain at " + at);
+    }
+}
+
+void Simulation::check_overlap() const {
+    if (largest_overlap_.relative <= largest_relative_overlap) return;
+    const IdPair& ids = largest_overlap_.ids;
+    const std::string partner = largest_overlap_.is_wall ? "wall '" + scene_.walls[ids.j].name + "'"
+                                                         : "particle " + std::to_string(ids.j);
+    throw Error(
+        here(),
+        "particle " + std::to_string(ids.i) + " and " + partner +
+            formatted(" overlap by %.1f %% of the smaller radius, at most %.0f %% expected; "
+                      "take a smaller time step or a stiffer material",
+                      100.0 * largest_overlap_.relative, 100.0 * largest_relative_overlap));
+}
+
+std::string Simulation::here() const {
+    return scene_.case_path +
+           formatted(": step %llu, time %.9g s", static_cast<unsigned long long>(steps_), time());
+}
+
+std::uint64_t Simulation::state_hash() const {
+    StateHash hash;
+    for (std::uint32_t i = 0; i < particles_.size(); ++i) {
+        hash.add(std::span<const double>(particles_.position[i].data(), 3));
+        hash.add(std::span<const double>(particles_.orientation[i].coeffs().data(), 4));
+        hash.add(std::span<const double>(particles_.velocity[i].data(), 3));
+        hash.add(std::span<const double>(particles_.angular_momentum[i].data(), 3));
+    }
+    return hash.value();
+}
+
+}  // namespace dem

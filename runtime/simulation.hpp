@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/broad_phase/body_aabb.hpp"
+#include "runtime/insertion/inserter.hpp"
+#include "runtime/narrow_phase/force_sum.hpp"
+#include "runtime/narrow_phase/narrow_phase.hpp"
+#include "runtime/narrow_phase/neighbor_lists.hpp"
+#include "runtime/particles.hpp"
+#include "runtime/scene.hpp"
+#include "runtime/walls/moving_walls.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace dem {
+
+/// The time loop of one scene. Its state after any number of steps has the same bits for any number
+/// of threads (omp_set_num_threads before the constructor) and any skin.
+class Simulation {
+  public:
+    /// Places the walls and inserts what is due at time 0. `dt`: time step [s].
+    /// Throws Error when that cannot be inserted.
+    Simulation(Scene scene, double dt);
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+
+    /// One time step (docs/time-loop.md). Throws Error with step, time and ids when a body has left
+    /// the domain, is nowhere (not a number) or overlaps by more than a tenth of a radius. The
+    /// state is then that of the failed step.
+    void step();
+
+    double time() const { return static_cast<double>(steps_) * dt_; }  ///< [s]
+    double time_step() const { return dt_; }                           ///< [s]
+    std::uint64_t steps() const { return steps_; }
+
+    const Scene& scene() const { return scene_; }
+    const Particles& particles() const { return particles_; }
+    const MovingWalls& walls() const { return walls_; }
+    const NeighborLists& lists() const { return lists_; }
+    const EnergyLedger& ledger() const { return ledger_; }
+    const Inserter& inserter() const { return inserter_; }
+    const LargestOverlap& largest_overlap() const { return largest_overlap_; }  ///< of this step
+    double inserted_energy() const { return inserted_energy_; }  ///< of all bodies when new [J]
+    Bodies bodies() const { return {scene_, particles_, walls_}; }
+
+    /// Over position, orientation, velocity and angular momentum of all bodies in the order of ids.
+    std::uint64_t state_hash() const;
+
+  private:
+    void insert_due();
+    void rebuild_lists();
+    void check_bodies() const;
+    void check_overlap() const;
+    std::string here() const;
+
+    Scene scene_;
+    double dt_;
+    std::uint64_t steps_ = 0;
+    Aabb domain_;
+    BodyAabbs aabbs_;
+    std::vector<double> surface_reach_;  ///< per kind: lever of a rotation that moves the surface
+    std::vector<double> wall_margins_;
+    Inserter inserter_;
+    Particles particles_;
+    MovingWalls walls_;
+    NeighborLists lists_;
+    NarrowPhaseScratch scratch_;
+    EnergyLedger ledger_;
+    LargestOverlap largest_overlap_;
+    double inserted_energy_ = 0.0;
+};
+
+}  // namespace dem

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/time_step.hpp"
+
+#include "common/error.hpp"
+#include "runtime/domain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <set>
+
+namespace dem {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double equivalent_radius(const Scene& scene, const BodyKind& kind) {
+    return 0.5 * equivalent_diameter(scene.shapes[kind.shape].mass_properties.volume);
+}
+
+double rayleigh_time(const Material& material, double radius) {
+    const double shear = material.youngs_modulus / (2.0 * (1.0 + material.poissons_ratio));
+    const double K = 0.8766 + 0.1631 * material.poissons_ratio;
+    return pi * radius / K * std::sqrt(material.density / shear);
+}
+
+// Duration of an elastic contact of reduced mass m, reduced radius R and reduced modulus Y.
+double hertz_time(double m, double R, double Y, double speed) {
+    return 2.8683 * std::pow(square(m) / (R * square(Y) * speed), 0.2);
+}
+
+struct UsedMaterials {
+    std::set<std::uint32_t> bodies, walls;
+};
+
+// The shortest contact of a body: with its like of any material, m/2 and R/2, or with a wall. A
+// larger partner only lengthens it.
+double shortest_contact(const Scene& scene, const BodyKind& kind, const UsedMaterials& used,
+                        double speed) {
+    const double radius = equivalent_radius(scene, kind);
+    double shortest = infinite;
+    for (const std::uint32_t other : used.bodies) {
+        const double Y = scene.laws.at(kind.material, other).youngs_modulus;
+        shortest = std::min(shortest, hertz_time(0.5 * kind.mass, 0.5 * radius, Y, speed));
+    }
+    for (const std::uint32_t other : used.walls) {
+        const double Y = scene.laws.at(kind.material, other).youngs_modulus;
+        shortest = std::min(shortest, hertz_time(kind.mass, radius, Y, speed));
+    }
+    return shortest;
+}
+
+std::string text(double seconds) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.3g s", seconds);
+    return buffer;
+}
+
+}  // namespace
+
+TimeStep time_step(const Scene& scene) {
+    TimeStep step{infinite, infinite, largest_expected_speed(scene), infinite, 0.0};
+    UsedMaterials used;
+    for (const BodyKind& kind : scene.kinds) used.bodies.insert(kind.material);
+    for (const Wall& wall : scene.walls) used.walls.insert(wall.material);
+    for (const BodyKind& kind : scene.kinds) {
+        if (kind.inverse_inertia.mass == 0.0) continue;
+        const double radius = equivalent_radius(scene, kind);
+        step.rayleigh =
+            std::min(step.rayleigh, rayleigh_time(scene.materials[kind.material], radius));
+        if (step.largest_speed > 0.0) {
+            step.hertz =
+                std::min(step.hertz, shortest_contact(scene, kind, used, step.largest_speed));
+        }
+    }
+    step.critical = std::min(step.rayleigh, step.hertz);
+    if (scene.run.time_step) {
+        step.value = *scene.run.time_step;
+        if (step.value > step.critical && !scene.run.time_step_force) {
+            throw Error(scene.case_path,
+                        "time step " + text(step.value) + " is above the critical time step " +
+                            text(step.critical) +
+                            "; take less than a tenth of it, or set time_step_force = yes");
+        }
+        return step;
+    }
+    if (std::isinf(step.critical)) {
+        throw Error(scene.case_path,
+                    "time_step = auto needs a body that can move; give a time step");
+    }
+    step.value = step.critical / scene.run.time_step_fraction;
+    return step;
+}
+
+}  // namespace dem

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/scene.hpp"
+
+namespace dem {
+
+/// The critical times of a scene, [SR] Eq. 23 with the correction of docs/time-loop.md, and the
+/// time step that follows.
+struct TimeStep {
+    double rayleigh = 0.0;       ///< T_R of the smallest body [s]
+    double hertz = 0.0;          ///< T_H, the shortest contact at the largest speed [s]
+    double largest_speed = 0.0;  ///< that was assumed [m/s]
+    double critical = 0.0;       ///< the smaller of the two times [s]
+    double value = 0.0;          ///< given, or critical / RunSettings::time_step_fraction [s]
+};
+
+/// Throws Error when the given time step is above the critical one and not forced, or when there is
+/// neither a time step nor a body to derive it from.
+TimeStep time_step(const Scene& scene);
+
+}  // namespace dem

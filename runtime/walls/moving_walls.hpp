@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/math/aabb.hpp"
+#include "runtime/walls/wall.hpp"
+
+#include <span>
+#include <vector>
+
+namespace dem {
+
+/// Where all walls of a scene are now.
+struct MovingWalls {
+    std::vector<WallState> state;
+    /// Bound on the way that any point of the wall's surface has gone since time 0, within the
+    /// domain [m]. A turn about the wall's own z axis moves no surface: planes and cylinders are
+    /// bodies of revolution.
+    std::vector<double> travel;
+};
+
+/// The walls at time 0.
+MovingWalls place_walls(std::span<const Wall> walls);
+
+/// Moves the walls to time t [s].
+void move_walls(MovingWalls& moving, std::span<const Wall> walls, const Aabb& domain, double t);
+
+}  // namespace dem

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/walls/wall.hpp"
+
+namespace dem {
+
+/// Lower bound of the distance from a point of the world to where the wall acts [m]: a body within
+/// r of the point cannot touch the wall when this is more than r. Exact in front of the wall.
+double wall_distance(const WallShape& shape, const WallState& state, const Vec3& point);
+
+}  // namespace dem
