@@ -4,6 +4,7 @@
 #include "formats/hdf5_file.hpp"
 
 #include <cstdio>
+#include <numeric>
 
 namespace dem {
 
@@ -104,12 +105,6 @@ XdmfGrid write_tables(FrameTables& tables, const Frame& frame) {
     XdmfGrid grid;
     grid.time = frame.time;
     grid.points = tables.add("position", numbers(frame.position), 3, "m");
-    const auto index = tables.add("index", [&] {
-        std::vector<std::uint32_t> order(frame.position.size());
-        for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-        return order;
-    }());
-    grid.cells = index;
     auto& attributes = grid.attributes;
     attributes = {
         {"id", "Scalar", "Node", tables.add("id", frame.id)},
@@ -159,8 +154,21 @@ FrameWriter::FrameWriter(const std::filesystem::path& directory, const FrameCont
     write_shapes(file, shapes, meshes);
     file.write("/groups", context.groups);
     file.make_group("/frames");
+    file.make_group("/points");
     file.close();
     if (context.surfaces) surfaces_ = std::make_unique<SurfaceWriter>(directory, shapes);
+}
+
+// Readers of XDMF need the number of each point spelled out: Xdmf3 aborts without.
+XdmfTable FrameWriter::points(Hdf5File& file, std::size_t count) {
+    if (points_.rows != count || points_.path.empty()) {
+        std::vector<std::uint32_t> numbers(count);
+        std::iota(numbers.begin(), numbers.end(), 0U);
+        const std::string name = "/points/" + frame_name(count_);
+        file.write(name, numbers);
+        points_ = {"frames.h5:" + name, count, 1, "UInt", 4};
+    }
+    return points_;
 }
 
 void FrameWriter::append(const Frame& frame) {
@@ -168,7 +176,8 @@ void FrameWriter::append(const Frame& frame) {
     const std::string group = "/frames/" + name + "/";
     Hdf5File file(path_, Hdf5File::Mode::extend, largest_size(frame));
     FrameTables tables(file, group, "frames.h5:" + group);
-    const XdmfGrid grid = write_tables(tables, frame);
+    XdmfGrid grid = write_tables(tables, frame);
+    grid.cells = points(file, frame.position.size());
     file.describe(group, "time", frame.time);
     file.describe(group, "step", frame.step);
     file.describe(group, "count", std::uint64_t{frame.position.size()});

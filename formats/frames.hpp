@@ -16,6 +16,8 @@
 /// (docs/output-files.md).
 namespace dem {
 
+class Hdf5File;
+
 /// One moment, world frame, SI. All arrays have one entry per particle; `coordination` and `force`
 /// may be left empty.
 struct Frame {
@@ -51,8 +53,11 @@ class FrameWriter {
     void append(const Frame& frame);
 
   private:
+    XdmfTable points(Hdf5File& file, std::size_t count);
+
     std::filesystem::path path_;
     std::uint64_t count_ = 0;
+    XdmfTable points_;  ///< 0, 1, 2, ..., shared by frames of as many particles
     XdmfSeries index_;
     std::unique_ptr<SurfaceWriter> surfaces_;
 };

@@ -207,12 +207,13 @@ void Hdf5File::describe(const std::string& object, const std::string& name, std:
 }
 void Hdf5File::describe(const std::string& object, const std::string& name,
                         std::string_view value) {
+    // Of variable length, which h5py returns as text and not as bytes.
     const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-    H5Tset_size(type, std::max<std::size_t>(1, value.size()));
-    H5Tset_strpad(type, H5T_STR_NULLPAD);
+    H5Tset_size(type, H5T_VARIABLE);
     H5Tset_cset(type, H5T_CSET_UTF8);
-    const std::string text = value.empty() ? std::string(1, '\0') : std::string(value);
-    write_attribute(object, name, text.data(), {type, type});
+    const std::string text(value);
+    const char* pointer = text.c_str();
+    write_attribute(object, name, &pointer, {type, type});
 }
 
 }  // namespace dem

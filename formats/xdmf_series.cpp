@@ -6,6 +6,8 @@
 #include "common/progress.hpp"
 #include "formats/number_text.hpp"
 
+#include <system_error>
+
 namespace dem {
 
 namespace {
@@ -41,7 +43,9 @@ std::string grid_text(const XdmfGrid& grid, std::size_t number) {
 
 XdmfSeries::XdmfSeries(std::filesystem::path path, std::string name)
     : path_(std::move(path)), name_(std::move(name)), last_written_(Progress::steady_seconds()) {
-    write();
+    std::error_code
+        ignored;  // what cannot be removed cannot be replaced either, which write() says
+    std::filesystem::remove(path_, ignored);
 }
 
 XdmfSeries::~XdmfSeries() {

@@ -32,12 +32,13 @@ struct XdmfGrid {
     std::vector<XdmfAttribute> attributes;
 };
 
-/// The index that lets ParaView open HDF5 files as a film (XDMF, temporal collection). Always a
-/// complete file: replaced by a longer one as frames arrive, at most once a second when there are
-/// many of them, so that a long run does not spend its time on rewriting it; the last one comes
-/// with the destructor or write().
+/// The index that lets ParaView open HDF5 files as a film (XDMF, temporal collection). Appears with
+/// the first grid, because readers crash on an index of none, and is always complete: replaced by a
+/// longer one as frames arrive, at most once a second when there are many of them, so that a long
+/// run does not spend its time on rewriting it; the last one comes with the destructor or write().
 class XdmfSeries {
   public:
+    /// Removes the index of an earlier run.
     XdmfSeries(std::filesystem::path path, std::string name);
     ~XdmfSeries();
     XdmfSeries(const XdmfSeries&) = delete;

@@ -178,7 +178,7 @@ TEST_F(Frames, WhenTheDiskIsFullTheFramesBeforeStayReadable) {
 TEST_F(Frames, AFolderThatCannotBeWrittenIsNamed) {
     EXPECT_EQ(
         message_of<Error>([&] { FrameWriter(folder_ / "no", context_, shapes_); }),
-        (folder_ / "no" / "frames.xdmf").string() + ": cannot create: No such file or directory");
+        (folder_ / "no" / "frames.h5").string() + ": cannot create: No such file or directory");
     std::filesystem::create_directory(folder_ / "frames.h5");
     const std::string message = message_of<Error>([&] { FrameWriter(folder_, context_, shapes_); });
     EXPECT_EQ(message, (folder_ / "frames.h5").string() + ": cannot create: Is a directory");
