@@ -76,7 +76,10 @@ void check_sdf(const SdfQuadtree& sdf, const SrShape& shape, const ValueCheck& c
     check.finite(sdf.origin_r, "origin of the distance field");
     check.finite(sdf.origin_z, "origin of the distance field");
     check.positive(sdf.base_size, "cell size of the distance field");
+    check.not_negative(sdf.margin, "margin of the distance field");
     check.not_negative(sdf.lipschitz_slack, "slack of the distance field");
+    check.not_negative(sdf.surface_slack, "slack of the distance field near the surface");
+    check.not_negative(sdf.surface_band, "band of the distance field");
     const std::uint64_t cells = std::uint64_t{sdf.cells_r} * sdf.cells_z;
     check.require(cells > 0 && cells == sdf.cells.size(),
                   "the distance field's cells do not match its grid");

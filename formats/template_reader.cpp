@@ -107,7 +107,10 @@ class Decoder {
         result.origin_r = grid.origin_r();
         result.origin_z = grid.origin_z();
         result.base_size = grid.base_size();
+        result.margin = grid.margin();
         result.lipschitz_slack = grid.lipschitz_slack();
+        result.surface_slack = grid.surface_slack();
+        result.surface_band = grid.surface_band();
         result.cells_r = grid.cells_r();
         result.cells_z = grid.cells_z();
         result.cells = array<SdfCell>(sdf.cells());

@@ -41,7 +41,8 @@ Offset<schema::SupportMap> encode(FlatBufferBuilder& fbb, const SupportMap& map)
 }
 
 Offset<schema::SdfQuadtree> encode(FlatBufferBuilder& fbb, const SdfQuadtree& sdf) {
-    const schema::SdfGrid grid(sdf.origin_r, sdf.origin_z, sdf.base_size, sdf.lipschitz_slack,
+    const schema::SdfGrid grid(sdf.origin_r, sdf.origin_z, sdf.base_size, sdf.margin,
+                               sdf.lipschitz_slack, sdf.surface_slack, sdf.surface_band,
                                sdf.cells_r, sdf.cells_z);
     const auto cells = structs<schema::SdfCell>(fbb, sdf.cells);
     const auto values = scalars(fbb, sdf.values);

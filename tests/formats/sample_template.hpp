@@ -78,7 +78,10 @@ inline ParticleTemplate sr_sphere(std::uint32_t count = 20) {
     sr.sdf.base_size = 1e-3;
     sr.sdf.cells_r = 3;
     sr.sdf.cells_z = 5;
+    sr.sdf.margin = 4e-4;
     sr.sdf.lipschitz_slack = 1e-4;
+    sr.sdf.surface_slack = 1e-5;
+    sr.sdf.surface_band = 2e-4;
     std::vector<SdfCell> cells;
     std::vector<double> values;
     for (std::uint32_t k = 0; k < 5; ++k) {

@@ -121,6 +121,9 @@ const Case wrong[] = {
     {"does not cover", [](auto&, auto& s) { s.sdf.origin_r = 1e-4; }},
     {"does not cover", [](auto&, auto& s) { s.sdf.base_size *= 0.5; }},
     {"slack of the distance field", [](auto&, auto& s) { s.sdf.lipschitz_slack = -1.0; }},
+    {"margin of the distance field", [](auto&, auto& s) { s.sdf.margin = -1.0; }},
+    {"distance field near the surface", [](auto&, auto& s) { s.sdf.surface_slack = -1.0; }},
+    {"band of the distance field", [](auto&, auto& s) { s.sdf.surface_band = -1.0; }},
 
     {"less than two samples", [](auto&, auto& s) { s.curvature = {}; }},
     {"curvature is inf",
@@ -128,17 +131,11 @@ const Case wrong[] = {
          set(s.curvature, 0, CurvatureSample{0, -2e-3, 0, inf});
      }},
     {"does not rise",
-     [](auto&, auto& s) {
-         set(s.curvature, 1, CurvatureSample{0, -2e-3, -1, 0});
-     }},
+     [](auto&, auto& s) { set(s.curvature, 1, CurvatureSample{0, -2e-3, -1, 0}); }},
     {"off the profile",
-     [](auto&, auto& s) {
-         set(s.curvature, 1, CurvatureSample{1, -2e-3, 1e-3, 0});
-     }},
+     [](auto&, auto& s) { set(s.curvature, 1, CurvatureSample{1, -2e-3, 1e-3, 0}); }},
     {"off the profile",
-     [](auto&, auto& s) {
-         set(s.curvature, 1, CurvatureSample{-1e-3, 0, 1e-3, 0});
-     }},
+     [](auto&, auto& s) { set(s.curvature, 1, CurvatureSample{-1e-3, 0, 1e-3, 0}); }},
 
     {"do not match", [](auto&, auto& s) { s.nodes.count = 40; }},
     {"do not match", [](auto&, auto& s) { drop_last(s.nodes.nodes); }},

@@ -58,7 +58,10 @@ TEST(TemplateFileTest, EveryValueSurvivesTheRoundTripBitByBit) {
     EXPECT_EQ(a.sdf.origin_r, b.sdf.origin_r);
     EXPECT_EQ(a.sdf.origin_z, b.sdf.origin_z);
     EXPECT_EQ(a.sdf.base_size, b.sdf.base_size);
+    EXPECT_EQ(a.sdf.margin, b.sdf.margin);
     EXPECT_EQ(a.sdf.lipschitz_slack, b.sdf.lipschitz_slack);
+    EXPECT_EQ(a.sdf.surface_slack, b.sdf.surface_slack);
+    EXPECT_EQ(a.sdf.surface_band, b.sdf.surface_band);
     EXPECT_EQ(a.sdf.cells_r, b.sdf.cells_r);
     EXPECT_EQ(a.sdf.cells_z, b.sdf.cells_z);
     EXPECT_TRUE(same_bytes(a.sdf.cells, b.sdf.cells));
