@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/measure/measures.hpp"
+
+#include "common/error.hpp"
+#include "runtime/measure/contact_count.hpp"
+#include "runtime/measure/fill_height.hpp"
+#include "runtime/measure/vessel.hpp"
+
+namespace dem {
+
+namespace {
+
+using Kind = MeasureSettings::Kind;
+
+// Of the vessel up to the highest point of any particle; 0 for an empty vessel.
+double solid_fraction(const Simulation& simulation, double height) {
+    const Scene& scene = simulation.scene();
+    double volume = 0.0;
+    for (const std::uint32_t kind : simulation.particles().kind) {
+        volume += scene.shapes[scene.kinds[kind].shape].mass_properties.volume;
+    }
+    return height > 0.0 ? volume / (find_vessel(scene)->cross_section * height) : 0.0;
+}
+
+double mean_coordination(const Simulation& simulation) {
+    std::uint64_t sum = 0;
+    for (const std::uint32_t number : coordination_numbers(simulation)) sum += number;
+    const auto count = static_cast<double>(simulation.particles().size());
+    return count > 0.0 ? static_cast<double>(sum) / count : 0.0;
+}
+
+}  // namespace
+
+std::vector<std::string> measure_columns(const Scene& scene) {
+    std::vector<std::string> columns;
+    for (const MeasureSettings& measure : scene.measures) {
+        if (measure.kind == Kind::fill_height) {
+            for (const char* way : {"_highest", "_top_ten", "_surface"}) {
+                columns.push_back(measure.name + way);
+            }
+            continue;
+        }
+        if (measure.kind == Kind::solid_fraction && !find_vessel(scene)) {
+            throw Error(scene.case_path, "[measure." + measure.name +
+                                             "]: a solid fraction needs walls that form a vessel: "
+                                             "an upright inside cylinder or box with a floor");
+        }
+        columns.push_back(measure.name);
+    }
+    return columns;
+}
+
+std::vector<double> measure_values(const Simulation& simulation) {
+    std::vector<double> values;
+    for (const MeasureSettings& measure : simulation.scene().measures) {
+        switch (measure.kind) {
+            case Kind::contacts:
+                values.push_back(mean_coordination(simulation));
+                break;
+            case Kind::fill_height:
+            case Kind::solid_fraction: {
+                const FillHeight h = fill_height(simulation.particles(), simulation.scene());
+                if (measure.kind == Kind::solid_fraction) {
+                    values.push_back(solid_fraction(simulation, h.highest));
+                } else {
+                    values.insert(values.end(), {h.highest, h.top_ten, h.surface});
+                }
+                break;
+            }
+        }
+    }
+    return values;
+}
+
+}  // namespace dem

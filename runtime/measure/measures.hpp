@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/simulation.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dem {
+
+/// Names of the columns that the measures of a scene fill, in the order of the case file:
+/// NAME_highest, NAME_top_ten, NAME_surface for a fill height, NAME otherwise.
+/// Throws Error for a solid fraction in a scene whose walls form no vessel.
+std::vector<std::string> measure_columns(const Scene& scene);
+
+/// Their values now.
+std::vector<double> measure_values(const Simulation& simulation);
+
+}  // namespace dem
