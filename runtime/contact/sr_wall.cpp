@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/contact/sr_wall.hpp"
+
+#include "runtime/contact/convex_contact.hpp"
+#include "runtime/contact/sr_cylinder.hpp"
+#include "runtime/contact/wall_frame.hpp"
+
+namespace dem {
+
+PairContact collide(const SrShape& a, const PlaneWall& wall, const PairState& pair,
+                    const ContactLaw& law, double dt, PointHistory& history, MissCache& miss) {
+    const Vec3 n = body_axis(pair.j.orientation);
+    const double height = -pair.displacement.dot(n);
+    if (height > a.bounding_radius) return no_contact(history, miss, height - a.bounding_radius);
+    const SrSupport support{a.support, body_axis(pair.i.orientation)};
+    const SupportSample s = support(-n);
+    const double overlap = s.h - height;
+    if (!(overlap > 0.0)) return no_contact(history, miss, -overlap);
+    const Vec3 x = s.point(-n);
+    if (std::isfinite(wall.radius)) {
+        const double r = axial_point(x - pair.displacement, n).r;
+        if (height < 0.0 || r > wall.radius) return no_contact(history, miss, 0.0);
+    }
+    const ContactPoint point{x + 0.5 * overlap * n, n, overlap, 0};
+    const double radius = contact_radius(law, s, a.equivalent_diameter);
+    return contact_force(point, radius, pair, law, dt, history);
+}
+
+PairContact collide(const SrShape& a, const CylinderWall& wall, const PairState& pair,
+                    const ContactLaw& law, double dt, PatchHistory& history, MissCache& miss) {
+    const SrSupport support{a.support, body_axis(pair.i.orientation)};
+    const Vec3 axis = body_axis(pair.j.orientation);
+    WallTouch touch = wall.inside ? touch_inside(a, support, wall, axis, -pair.displacement)
+                                  : touch_rod(a, support, wall, axis, -pair.displacement);
+    if (touch.count == 0) return no_contact(history, miss, touch.gap);
+    give_features(touch, history);
+    const double radius = contact_radius(law, touch.deepest, a.equivalent_diameter);
+    return contact_force(std::span(touch.points.data(), touch.count), radius, pair, law, dt,
+                         history);
+}
+
+}  // namespace dem

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/shapes/sr_shape.hpp"
+#include "runtime/contact/contact_types.hpp"
+#include "runtime/contact/wall_shapes.hpp"
+#include "runtime/contact_law/contact_point.hpp"
+
+/// Convex surfaces of revolution against wall primitives (wall_shapes.hpp), exact. The wall's
+/// curvature does not enter R*.
+namespace dem {
+
+PairContact collide(const SrShape& a, const PlaneWall& wall, const PairState& pair,
+                    const ContactLaw& law, double dt, PointHistory& history, MissCache& miss);
+
+/// A body flatter than the inside of a cylinder touches it in two places or more: all of them
+/// together are one contact.
+PairContact collide(const SrShape& a, const CylinderWall& wall, const PairState& pair,
+                    const ContactLaw& law, double dt, PatchHistory& history, MissCache& miss);
+
+}  // namespace dem
