@@ -2,10 +2,10 @@
 #include "formats/mesh_export.hpp"
 
 #include "common/atomic_file.hpp"
+#include "formats/number_text.hpp"
 
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cstring>
 
 namespace dem {
@@ -25,19 +25,8 @@ void append_bytes(std::string& out, const Vec3& v) {
     for (const double x : {v.x(), v.y(), v.z()}) append_bytes(out, static_cast<float>(x));
 }
 
-/// The shortest text that reads back as the same number.
-void append_text(std::string& out, double value) {
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    out.append(text.data(), end);
-}
-
 void append_text(std::string& out, const Vec3& v, char separator) {
-    append_text(out, v.x());
-    out += separator;
-    append_text(out, v.y());
-    out += separator;
-    append_text(out, v.z());
+    out += number_text(v.x()) + separator + number_text(v.y()) + separator + number_text(v.z());
 }
 
 void open_array(std::string& out, const std::string& type, const std::string& name) {
@@ -104,7 +93,7 @@ void write_nodes_csv(const std::filesystem::path& path, const SurfaceNodes& node
         const SurfaceNodes::Node& node = nodes.nodes[i];
         append_text(out, Vec3(node.x, node.y, node.z), ',');
         out += ',';
-        append_text(out, node.mean_curvature);
+        out += number_text(node.mean_curvature);
         out += '\n';
     }
     write_file(path, out);

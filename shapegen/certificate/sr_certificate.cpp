@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/certificate/sr_certificate.hpp"
 
-#include "common/shapes/support_map.hpp"
-#include "shapegen/revolution/profile_samples.hpp"
+#include "shapegen/revolution/support.hpp"
 #include "shapegen/revolution/surface_deviation.hpp"
 
 #include <algorithm>
@@ -50,26 +49,10 @@ double polygon_volume(const Profile& profile, int n) {
     return (4.0 * frustums(profile, 2 * n) - frustums(profile, n)) / 3.0;
 }
 
-double support_error(const Profile& profile, const SupportMap& support) {
-    constexpr int directions = 2000;
-    std::vector<Vec2> points;
-    for (const ProfileSample& s : sample_profile(profile, profile.major_axis_length() / 2000.0)) {
-        points.push_back(s.point);
-    }
-    double largest = 0.0;
-    for (int i = 0; i <= directions; ++i) {
-        const double angle = pi * (static_cast<double>(i) / directions - 0.5);
-        const Vec2 n{std::max(std::cos(angle), 0.0), std::sin(angle)};
-        double exact = points.front().dot(n);
-        for (const Vec2& p : points) exact = std::max(exact, p.dot(n));
-        const SupportPoint s = support_point(support, n[0], n[1]);
-        largest = std::max(largest, std::abs(s.r * n[0] + s.z * n[1] - exact));
-    }
-    return largest;
-}
-
 Certificate sr_certificate(const Profile& profile, const ParticleTemplate& shape, const SrShape& sr,
-                           const SdfError& sdf, std::span<const Ring> rings) {
+                           const CookingRecord& record) {
+    const SdfError& sdf = record.sdf;
+    const auto& rings = record.rings;
     const double l = sr.major_axis_length;
     const double degrees = 180.0 / pi;
     Certificate certificate{{"sdf_error_mean", sdf.mean / l},
@@ -80,6 +63,7 @@ Certificate sr_certificate(const Profile& profile, const ParticleTemplate& shape
     if (sr.is_convex) {
         certificate.emplace_back("support_error_max", support_error(profile, sr.support) / l);
     }
+    certificate.emplace_back("curvature_error_max", record.curvature_error);
     const Spacing spacing = node_spacing(sr.nodes);
     certificate.emplace_back("node_spacing_mean", spacing.mean / l);
     certificate.emplace_back("node_spacing_max", spacing.max / l);

@@ -79,23 +79,12 @@ void draw_cells(SvgPage& page, const View& view, const SdfQuadtree& sdf) {
     }
 }
 
-/// The half profile from bottom to top, from the rings of the display mesh.
-std::vector<Vec2> half_outline(const DisplayMesh& mesh) {
-    std::vector<Vec2> outline;
-    for (const Vec3& v : mesh.vertices) {
-        const Vec2 p{std::hypot(v.x(), v.y()), v.z()};
-        if (outline.empty() || (p - outline.back()).norm() > 1e-9 * mesh.vertices.back().norm()) {
-            outline.push_back(p);
-        }
-    }
-    return outline;
-}
-
-void draw_outline(SvgPage& page, const View& view, const DisplayMesh& mesh) {
-    const std::vector<Vec2> half = half_outline(mesh);
+void draw_outline(SvgPage& page, const View& view, const SharedArray<CurvatureSample>& profile) {
     std::vector<Vec2> whole;
-    for (const Vec2& p : half) whole.push_back(view(p[0], p[1]));
-    for (auto p = half.rbegin(); p != half.rend(); ++p) whole.push_back(view(-(*p)[0], (*p)[1]));
+    for (const CurvatureSample& s : profile) whole.push_back(view(s.r, s.z));
+    for (std::size_t i = profile.size(); i-- > 0;) {
+        whole.push_back(view(-profile[i].r, profile[i].z));
+    }
     page.polyline(whole, {.stroke = outline_color, .width = 1.8}, true);
 }
 
@@ -174,7 +163,7 @@ void draw_cross_section(SvgPage& page, const PanelBox& box, const ParticleTempla
     draw_cells(page, view, sr.sdf);
     draw_axis(page, view, sr.sdf);
     draw_nodes(page, view, sr.nodes);
-    draw_outline(page, view, shape.display_mesh);
+    draw_outline(page, view, sr.curvature);
     const Vec2 below = box.corner + Vec2(0.0, drawing.size[1] + 28.0);
     draw_scale_bar(page, below + Vec2(box.size[0] - 200.0, 0.0), view, sr.major_axis_length);
     draw_legend(page, below, shape, sr);

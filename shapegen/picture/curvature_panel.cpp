@@ -17,9 +17,9 @@ struct Axis {
     double low, high, step;
 };
 
-/// Round ticks that hold [low, high], about five of them.
+/// Round ticks that hold [low, high], at least five of them.
 Axis round_axis(double low, double high) {
-    const double raw = (high - low) / 5.0;
+    const double raw = (high - low) / 10.0;
     const double decade = std::pow(10.0, std::floor(std::log10(raw)));
     double step = 10.0 * decade;
     for (const double candidate : {5.0, 2.0, 1.0}) {
@@ -57,7 +57,7 @@ class Plot {
         is_cut_ = highest_ > 2.5 * bulk;
         const double sphere = 2.0 / sr.equivalent_diameter;
         lowest = std::max(lowest, -4.0 * std::max(bulk, sphere));
-        const double top = std::max(is_cut_ ? 1.25 * bulk : highest_, 0.5 * sphere);
+        const double top = 1.1 * std::max(is_cut_ ? 1.25 * bulk : highest_, sphere);
         y_ = round_axis(lowest * unit_.meters, top * unit_.meters);
         x_ = round_axis(0.0, sr.curvature.back().arc_length / unit_.meters);
         x_.high = sr.curvature.back().arc_length / unit_.meters;
@@ -66,6 +66,7 @@ class Plot {
     void draw() {
         draw_grid();
         draw_curve();
+        draw_legend();
         const Vec2 below = box_.corner + Vec2(0.5 * box_.size[0], box_.size[1] + 44);
         page_.text(below, "arc length s from the bottom pole [" + unit_.name + "]", 14,
                    Anchor::middle);
@@ -96,12 +97,7 @@ class Plot {
             page_.text(at(x_.low, rounded) + Vec2(-8, 4), short_number(rounded), 12, Anchor::end);
         }
         const double sphere = 2.0 / sr_.equivalent_diameter * unit_.meters;
-        if (sphere < y_.high) {
-            page_.line(at(x_.low, sphere), at(x_.high, sphere),
-                       {.stroke = "#64748b", .width = 1.0, .dashes = "5 4"});
-            page_.text(at(x_.high, sphere) + Vec2(-4, -5), "sphere of equal volume", 11,
-                       Anchor::end);
-        }
+        page_.line(at(x_.low, sphere), at(x_.high, sphere), dashed_);
         page_.rectangle(box_.corner, box_.size, {.stroke = "#334155", .width = 1.0});
     }
 
@@ -110,13 +106,24 @@ class Plot {
         for (const CurvatureSample& s : sr_.curvature) {
             curve.push_back(at(s.arc_length / unit_.meters, s.mean_curvature * unit_.meters));
         }
-        page_.polyline(curve, {.stroke = "#b91c1c", .width = 1.8});
-        if (!is_cut_) return;
-        page_.text(
-            box_.corner + Vec2(box_.size[0] - 6, 18),
-            "edges cut off, up to " + short_number(highest_ * unit_.meters, 3) + " / " + unit_.name,
-            12, Anchor::end);
+        page_.polyline(curve, curve_);
     }
+
+    void draw_legend() {
+        Vec2 row = box_.corner + Vec2(0, box_.size[1] + 78);
+        page_.line(row, row + Vec2(22, 0), dashed_);
+        page_.text(row + Vec2(30, 4), "sphere of equal volume", 13);
+        if (!is_cut_) return;
+        row[1] += 20;
+        page_.line(row, row + Vec2(22, 0), curve_);
+        page_.text(row + Vec2(30, 4),
+                   "sharp edges reach beyond the frame; stored as H = " +
+                       short_number(highest_ * unit_.meters, 3) + " 1/" + unit_.name,
+                   13);
+    }
+
+    Style dashed_{.stroke = "#64748b", .width = 1.0, .dashes = "5 4"};
+    Style curve_{.stroke = "#b91c1c", .width = 1.8};
 
     SvgPage& page_;
     PanelBox box_;

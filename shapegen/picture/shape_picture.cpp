@@ -23,7 +23,7 @@ std::string shape_picture(const ParticleTemplate& shape, const SrShape& sr) {
         {40, 66},
         std::string("surface of revolution, ") + (sr.is_convex ? "convex" : "not convex") +
             "; volume " + short_number(shape.mass_properties.volume / cube(unit.meters), 5) + " " +
-            unit.name + "^3, height " + short_number((sr.top_z - sr.bottom_z) / unit.meters, 4) +
+            unit.name + "³, height " + short_number((sr.top_z - sr.bottom_z) / unit.meters, 4) +
             " " + unit.name + " between the poles, largest radius " +
             short_number(sr.max_radius / unit.meters, 4) + " " + unit.name + ", major axis l = " +
             short_number(sr.major_axis_length / unit.meters, 4) + " " + unit.name,

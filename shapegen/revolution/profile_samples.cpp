@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/revolution/profile_samples.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dem {
@@ -29,6 +30,32 @@ void append(std::vector<ProfileSample>& samples, const ProfileSegment& segment,
     }
 }
 
+/// Largest distance from the origin between two parameters a short chord apart: golden section.
+double largest_norm(const ProfileSegment& segment, double low, double high) {
+    const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+    const auto norm = [&](double t) { return evaluate(segment, t).point.norm(); };
+    double a = high - golden * (high - low);
+    double b = low + golden * (high - low);
+    double at_a = norm(a);
+    double at_b = norm(b);
+    for (int i = 0; i < 60; ++i) {
+        if (at_a < at_b) {
+            low = a;
+            a = b;
+            at_a = at_b;
+            b = low + golden * (high - low);
+            at_b = norm(b);
+        } else {
+            high = b;
+            b = a;
+            at_b = at_a;
+            a = high - golden * (high - low);
+            at_a = norm(a);
+        }
+    }
+    return std::max(at_a, at_b);
+}
+
 }  // namespace
 
 std::vector<ProfileSample> sample_profile(const Profile& profile, double step) {
@@ -48,6 +75,24 @@ std::vector<ProfileSample> sample_profile(const Profile& profile, double step) {
             samples[i - 1].arc_length + (samples[i].point - samples[i - 1].point).norm();
     }
     return samples;
+}
+
+double farthest_distance(const Profile& profile) {
+    const auto samples = sample_profile(profile, profile.major_axis_length() / 1000.0);
+    double farthest = 0.0;
+    for (const ProfileSample& s : samples) farthest = std::max(farthest, s.point.norm());
+    double refined = farthest;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        const ProfileSample& from = samples[i - 1];
+        const ProfileSample& to = samples[i];
+        // A summit between two samples rises above them by less than half their distance.
+        const double rise = 0.5 * (to.point - from.point).norm();
+        if (from.segment == to.segment &&
+            std::max(from.point.norm(), to.point.norm()) + rise >= farthest) {
+            refined = std::max(refined, largest_norm(profile.segments()[to.segment], from.t, to.t));
+        }
+    }
+    return refined;
 }
 
 }  // namespace dem

@@ -21,4 +21,7 @@ struct ProfileSample {
 /// chords on every curved segment.
 std::vector<ProfileSample> sample_profile(const Profile& profile, double step);
 
+/// The largest distance of a point of the profile from the origin [m].
+double farthest_distance(const Profile& profile);
+
 }  // namespace dem

@@ -36,6 +36,7 @@ class Builder {
         const double interface_size = length_ / resolution.interface;
         const double size = length_ / resolution.base;
         outer_reach_ = 2.0 * interface_size;
+        inner_reach_ = band_depth * length_ + interface_size;
         // One base cell, and more when the base cells are as fine as the interface cells.
         const double margin = std::max(size, outer_reach_);
         const double height = profile.max_z() - profile.min_z();
@@ -79,7 +80,7 @@ class Builder {
             for (std::uint32_t i = 0; i < sdf_.cells_r; ++i) {
                 const double d = exact(point(i + 0.5, k + 0.5));
                 const bool in_band =
-                    d - half_diagonal < outer_reach_ && d + half_diagonal > -band_depth * length_;
+                    d - half_diagonal < outer_reach_ && d + half_diagonal > -inner_reach_;
                 std::uint32_t level = in_band ? interface_level_ : 0;
                 for (const Profile::Corner& corner : corners) {
                     if (distance_to_cell(corner.point, point(i, k), sdf_.base_size) <
@@ -150,7 +151,7 @@ class Builder {
 
     const Profile& profile_;
     double length_;
-    double outer_reach_;
+    double outer_reach_, inner_reach_;
     std::uint32_t interface_level_, corner_level_;
     SdfQuadtree sdf_;
     std::vector<SdfCell> cells_;

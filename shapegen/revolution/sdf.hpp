@@ -20,12 +20,12 @@ struct SdfResolution {
 void check_resolution(const SdfResolution& resolution);
 
 /// The exact signed distance of the half cross-section at the grid points of a two-level grid.
-/// Interface cells reach 0.05 l inwards, where the nodes of a partner can be: a run stops at an
-/// overlap of 10 % of the radius, and no radius exceeds l/2. They reach two interface cells
-/// outwards, so that no point within one interface cell of the surface lies beside a seam. Corner
-/// cells are the base cells within 0.01 l of a corner. One base cell of margin surrounds the
-/// cross-section. Measured in docs/decisions/sdf-quadtree.md. `lipschitz_slack` is left to
-/// measure_sdf.
+/// Interface cells reach 0.05 l inwards, where the nodes of a partner can be (a run stops at an
+/// overlap of 10 % of the radius, and no radius exceeds l/2), and one interface cell outwards; at
+/// either end one cell more, because the values beside a seam are those of the coarser side. Corner
+/// cells are the base cells within 0.01 l of a corner. At least one base cell of margin surrounds
+/// the cross-section. Measured in docs/decisions/sdf-quadtree.md.
+/// The slacks are left at zero: they come from sdf_error.
 SdfQuadtree signed_distance_field(const Profile& profile, const SdfResolution& resolution);
 
 }  // namespace dem

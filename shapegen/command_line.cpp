@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapegen/command_line.hpp"
+
+#include "common/error.hpp"
+#include "common/units.hpp"
+
+#include <sstream>
+#include <vector>
+
+#include <boost/program_options.hpp>
+
+namespace dem {
+
+namespace {
+
+namespace po = boost::program_options;
+using Words = std::vector<std::string>;
+
+po::options_description common_options() {
+    po::options_description options("Everywhere");
+    options.add_options()("help,h", "print this and stop")("version", "print the version and stop");
+    return options;
+}
+
+po::options_description cook_options() {
+    po::options_description options("Cooking");
+    options.add_options()("output,o", po::value<std::string>()->value_name("OUT.tpl"),
+                          "the template to write; default: INPUT's name with .tpl, here")(
+        "sr", "as a surface of revolution: the default for a profile")(
+        "sphere", "as an exact sphere; the profile must be one")(
+        "nodes", po::value<std::uint32_t>()->default_value(2000)->value_name("N"), "surface nodes")(
+        "base-cells", po::value<std::uint32_t>()->default_value(50)->value_name("N"),
+        "distance-field cells per major axis: everywhere")(
+        "interface-cells", po::value<std::uint32_t>()->default_value(200)->value_name("N"),
+        "... near the surface; a power of two times the base cells")(
+        "corner-cells", po::value<std::uint32_t>()->default_value(800)->value_name("N"),
+        "... at sharp edges; a power of two times the interface cells")("quiet,q",
+                                                                        "print nothing but errors");
+    return options;
+}
+
+po::options_description inspect_options() {
+    po::options_description options("Inspecting");
+    options.add_options()("json", "print JSON");
+    return options;
+}
+
+po::options_description export_options() {
+    po::options_description options("Exporting");
+    options.add_options()("output,o", po::value<std::string>()->value_name("FILE"),
+                          "the file to write: .svg picture of the cross-section, the nodes and the "
+                          "curvature; .stl or .vtu display mesh; .csv surface nodes")(
+        "shape", po::value<std::string>()->value_name("NAME|INDEX"),
+        "which shape of a template that holds several");
+    return options;
+}
+
+std::string help_text() {
+    std::ostringstream out;
+    out << "shapegen cooks a particle shape: it computes once what a run needs and writes it, with "
+           "the error\nit makes, into a template for demrun.\n\n"
+           "  shapegen INPUT.profile [-o OUT.tpl] [options]\n"
+           "  shapegen inspect FILE.tpl [--json]\n"
+           "  shapegen export FILE.tpl -o FILE.{svg,stl,vtu,csv} [--shape NAME|INDEX]\n\n"
+           "INPUT is a profile, the generating curve of a surface of revolution "
+           "(docs/profile-file.md).\n\n"
+        << cook_options() << '\n'
+        << inspect_options() << '\n'
+        << export_options() << '\n'
+        << common_options()
+        << "\nExit codes: 0 done, 1 failed (input, disk), 2 wrong command line.\n\n"
+           "Example:\n"
+           "  shapegen data/profiles/tablet.profile && shapegen export tablet.tpl -o tablet.svg\n";
+    return out.str();
+}
+
+/// What Boost says, as one line of ours; a misspelt option gets the nearest known one.
+[[noreturn]] void refuse(const po::error& error, const po::options_description& options) {
+    if (const auto* unknown = dynamic_cast<const po::unknown_option*>(&error)) {
+        Words names;
+        for (const auto& option : options.options()) names.push_back(option->long_name());
+        std::string word = unknown->get_option_name();
+        word.erase(0, word.find_first_not_of('-'));
+        const std::string nearest = nearest_word(word, names);
+        throw UsageError(
+            "command line",
+            "unknown option '--" + word + "', " +
+                (nearest.empty() ? "see --help" : "did you mean '--" + nearest + "'?"));
+    }
+    throw UsageError("command line", std::string(error.what()) + ", see --help");
+}
+
+po::variables_map parse(const Words& words, po::options_description options) {
+    options.add(common_options());
+    po::options_description all = options;
+    all.add_options()("input", po::value<Words>()->value_name("FILE"));
+    po::positional_options_description positional;
+    positional.add("input", -1);
+    po::variables_map values;
+    try {
+        using namespace po::command_line_style;
+        // Abbreviated options would change their meaning when an option is added.
+        po::store(po::command_line_parser(words)
+                      .options(all)
+                      .positional(positional)
+                      .style(unix_style & ~allow_guessing)
+                      .run(),
+                  values);
+        po::notify(values);
+    } catch (const po::error& error) {
+        refuse(error, options);
+    }
+    return values;
+}
+
+std::string one_input(const po::variables_map& values, const std::string& expected) {
+    const auto found = values.count("input") != 0 ? values["input"].as<Words>() : Words{};
+    if (found.empty()) {
+        throw UsageError("command line", "found no input, expected " + expected + ", see --help");
+    }
+    if (found.size() > 1) {
+        throw UsageError("command line", "found a second input '" + found[1] +
+                                             "', expected one: " + expected + ", see --help");
+    }
+    return found.front();
+}
+
+CookOptions read_options(const po::variables_map& values) {
+    CookOptions options;
+    if (values.count("sr") != 0 && values.count("sphere") != 0) {
+        throw UsageError("command line", "found --sr and --sphere, expected one of them");
+    }
+    options.kind = values.count("sphere") != 0 ? CookOptions::Kind::sphere : CookOptions::Kind::sr;
+    options.nodes = values["nodes"].as<std::uint32_t>();
+    if (options.nodes < fewest_nodes || options.nodes > most_nodes) {
+        throw UsageError("--nodes", "found " + std::to_string(options.nodes) + ", expected " +
+                                        std::to_string(fewest_nodes) + " to " +
+                                        std::to_string(most_nodes));
+    }
+    options.resolution = {values["base-cells"].as<std::uint32_t>(),
+                          values["interface-cells"].as<std::uint32_t>(),
+                          values["corner-cells"].as<std::uint32_t>()};
+    check_resolution(options.resolution);
+    return options;
+}
+
+bool wants_words(const po::variables_map& values, PrintCommand& print) {
+    if (values.count("help") != 0) print.text = help_text();
+    if (values.count("version") != 0) print.text = "shapegen " DEM_VERSION "\n";
+    return !print.text.empty();
+}
+
+Command parse_cook(const Words& words) {
+    const po::variables_map values = parse(words, cook_options());
+    PrintCommand print;
+    if (wants_words(values, print)) return print;
+    CookCommand command;
+    command.input = one_input(values, "a .profile file");
+    command.options = read_options(values);
+    command.output = values.count("output") != 0
+                         ? std::filesystem::path(values["output"].as<std::string>())
+                         : command.input.filename().replace_extension(".tpl");
+    command.is_quiet = values.count("quiet") != 0;
+    command.text = "shapegen";
+    for (const std::string& word : words) command.text += ' ' + word;
+    return command;
+}
+
+Command parse_inspect(const Words& words) {
+    const po::variables_map values = parse(words, inspect_options());
+    PrintCommand print;
+    if (wants_words(values, print)) return print;
+    return InspectCommand{one_input(values, "a .tpl file"), values.count("json") != 0};
+}
+
+Command parse_export(const Words& words) {
+    const po::variables_map values = parse(words, export_options());
+    PrintCommand print;
+    if (wants_words(values, print)) return print;
+    if (values.count("output") == 0) {
+        throw UsageError("command line", "found no -o, expected -o FILE.{svg,stl,vtu,csv}");
+    }
+    return ExportCommand{
+        one_input(values, "a .tpl file"), values["output"].as<std::string>(),
+        values.count("shape") != 0 ? values["shape"].as<std::string>() : std::string()};
+}
+
+}  // namespace
+
+Command parse_command_line(std::span<const char* const> arguments) {
+    const Words words(arguments.begin() + 1, arguments.end());
+    if (words.empty()) return parse_cook(words);
+    const Words rest(words.begin() + 1, words.end());
+    if (words.front() == "inspect") return parse_inspect(rest);
+    if (words.front() == "export") return parse_export(rest);
+    return parse_cook(words);
+}
+
+}  // namespace dem

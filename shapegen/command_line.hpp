@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "shapegen/pipeline/cook.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <variant>
+
+namespace dem {
+
+/// `shapegen INPUT ...`
+struct CookCommand {
+    std::filesystem::path input, output;
+    CookOptions options;
+    bool is_quiet = false;
+    std::string text;  ///< the whole command line, kept in the template
+};
+
+/// `shapegen inspect FILE.tpl [--json]`
+struct InspectCommand {
+    std::filesystem::path input;
+    bool as_json = false;
+};
+
+/// `shapegen export FILE.tpl -o FILE.{svg,stl,vtu,csv}`
+struct ExportCommand {
+    std::filesystem::path input, output;
+    std::string shape;  ///< name or index; "" when the file holds one shape
+};
+
+/// `--help` or `--version`: words for stdout.
+struct PrintCommand {
+    std::string text;
+};
+
+using Command = std::variant<CookCommand, InspectCommand, ExportCommand, PrintCommand>;
+
+/// Throws UsageError with one line that says what was found and what was expected.
+Command parse_command_line(std::span<const char* const> arguments);
+
+}  // namespace dem

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapegen/pipeline/export.hpp"
+
+#include "common/atomic_file.hpp"
+#include "common/error.hpp"
+#include "formats/mesh_export.hpp"
+#include "shapegen/picture/shape_picture.hpp"
+
+#include <charconv>
+
+namespace dem {
+
+namespace {
+
+const SrShape& sr_shape(const ParticleTemplate& shape, const std::string& format) {
+    if (const auto* sr = std::get_if<SrShape>(&shape.shape)) return *sr;
+    throw Error(shape.name,
+                "found a shape of kind '" + kind_name(shape) + "', expected 'sr' for " + format);
+}
+
+}  // namespace
+
+const ParticleTemplate& find_shape(const TemplateFile& file, const std::string& where,
+                                   const std::string& wanted) {
+    if (wanted.empty() && file.shapes.size() == 1) return file.shapes.front();
+    if (wanted.empty()) {
+        throw UsageError(where, "found " + std::to_string(file.shapes.size()) +
+                                    " shapes, expected --shape NAME or --shape INDEX (0 to " +
+                                    std::to_string(file.shapes.size() - 1) + ")");
+    }
+    for (const ParticleTemplate& shape : file.shapes) {
+        if (shape.name == wanted) return shape;
+    }
+    std::size_t index = 0;
+    const char* end = wanted.data() + wanted.size();
+    const auto [stop, problem] = std::from_chars(wanted.data(), end, index);
+    if (problem == std::errc() && stop == end && index < file.shapes.size()) {
+        return file.shapes[index];
+    }
+    throw Error(where, "found no shape '" + wanted +
+                           "', expected a name from 'shapegen inspect' or " + "an index below " +
+                           std::to_string(file.shapes.size()));
+}
+
+void export_shape(const ParticleTemplate& shape, const std::filesystem::path& path) {
+    const std::string extension = path.extension().string();
+    if (extension == ".svg") {
+        write_file(path, shape_picture(shape, sr_shape(shape, "a picture")));
+    } else if (extension == ".stl") {
+        write_stl(path, shape.display_mesh, shape.name);
+    } else if (extension == ".vtu") {
+        write_vtu(path, shape.display_mesh);
+    } else if (extension == ".csv") {
+        write_nodes_csv(path, sr_shape(shape, "surface nodes").nodes);
+    } else {
+        throw UsageError(path.string(), "found the extension '" + extension +
+                                            "', expected .svg, .stl, .vtu or .csv");
+    }
+}
+
+}  // namespace dem
