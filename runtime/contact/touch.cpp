@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/contact/touch.hpp"
+
+#include "runtime/contact/node_contact.hpp"
+#include "runtime/contact/sphere_sphere.hpp"
+#include "runtime/contact/sphere_sr_nodes.hpp"
+#include "runtime/contact/sphere_wall.hpp"
+#include "runtime/contact/sr_sr_continuous.hpp"
+#include "runtime/contact/sr_sr_nodes.hpp"
+#include "runtime/contact/sr_wall.hpp"
+#include "runtime/contact/sr_wall_nodes.hpp"
+#include "runtime/contact/support_sample.hpp"
+#include "runtime/contact/wall_frame.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <variant>
+
+namespace dem {
+
+namespace {
+
+/// A law without stiffness: only the geometry counts.
+const ContactLaw no_force{};
+
+/// Calls the kernel that takes what it remembers of a pair in this form, all of it blank.
+template <class A, class B>
+bool by_nodes(const A& a, const B& b, const PairState& pair, std::size_t nodes) {
+    PatchHistory history;
+    NodeCache cache;
+    ContactScratch scratch(nodes);
+    return collide(a, b, pair, no_force, 0.0, NodeMemory{history, cache, scratch, 0.0}).touches();
+}
+template <class History, class A, class B>
+bool by_support(const A& a, const B& b, const PairState& pair) {
+    History history;
+    MissCache miss;
+    return collide(a, b, pair, no_force, 0.0, history, miss).touches();
+}
+template <class A, class B>
+bool in_closed_form(const A& a, const B& b, const PairState& pair) {
+    PointHistory history;
+    return collide(a, b, pair, no_force, 0.0, history).touches();
+}
+
+PairState swapped(const PairState& pair) {
+    return {-pair.displacement, pair.j, pair.i};
+}
+
+bool touching(const Sphere& a, const Sphere& b, const PairState& pair) {
+    return in_closed_form(a, b, pair);
+}
+bool touching(const Sphere& a, const SrShape& b, const PairState& pair) {
+    return b.is_convex ? by_support<PointHistory>(a, b, pair)
+                       : by_nodes(a, b, pair, b.nodes.nodes.size());
+}
+bool touching(const SrShape& a, const Sphere& b, const PairState& pair) {
+    return touching(b, a, swapped(pair));
+}
+bool touching(const SrShape& a, const SrShape& b, const PairState& pair) {
+    if (a.is_convex && b.is_convex) return by_support<PointHistory>(a, b, pair);
+    // The nodes of one body alone would miss a point of the other that lies between them.
+    return by_nodes(a, b, pair, a.nodes.nodes.size()) ||
+           by_nodes(b, a, swapped(pair), b.nodes.nodes.size());
+}
+
+template <class Wall>
+bool touching(const Sphere& a, const Wall& wall, const PairState& pair) {
+    return in_closed_form(a, wall, pair);
+}
+template <class Wall>
+bool touching(const SrShape& a, const Wall& wall, const PairState& pair) {
+    using History = std::conditional_t<std::is_same_v<Wall, PlaneWall>, PointHistory, PatchHistory>;
+    return a.is_convex ? by_support<History>(a, wall, pair)
+                       : by_nodes(a, wall, pair, a.nodes.nodes.size());
+}
+
+double extent(const Sphere& shape, const Quat&, const Vec3&) {
+    return shape.radius;
+}
+double extent(const SrShape& shape, const Quat& orientation, const Vec3& direction) {
+    if (shape.is_convex) return SrSupport{shape.support, body_axis(orientation)}(direction).h;
+    const Vec3 n = orientation.conjugate() * direction;
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (const SurfaceNodes::Node& node : shape.nodes.nodes)
+        farthest = std::max(farthest, n.dot(Vec3(node.x, node.y, node.z)));
+    return farthest;
+}
+
+}  // namespace
+
+bool touches(const ParticleTemplate& a, const ParticleTemplate& b, const PairState& pair) {
+    return std::visit([&](const auto& i, const auto& j) { return touching(i, j, pair); }, a.shape,
+                      b.shape);
+}
+
+bool touches(const ParticleTemplate& a, const WallShape& wall, const PairState& pair) {
+    return std::visit([&](const auto& i, const auto& j) { return touching(i, j, pair); }, a.shape,
+                      wall);
+}
+
+double extent(const ParticleTemplate& shape, const Quat& orientation, const Vec3& direction) {
+    return std::visit([&](const auto& s) { return extent(s, orientation, direction); },
+                      shape.shape);
+}
+
+}  // namespace dem
