@@ -55,19 +55,29 @@ struct WallPartner {
     }
 };
 
-// ---- How far apart a pair that does not touch is at least [m].
+// ---- Kernels by what they remember of a pair.
 
-double proven_gap(const Bodies&, const Sphere& a, const Sphere& b, const PairState& pair,
-                  const IdPair&) {
-    return pair.displacement.norm() - a.radius - b.radius;
-}
+template <class A, class B>
+struct KernelCall {
+    const A& a;
+    const B& b;
+    const PairState& pair;
+    const ContactLaw& law;
+    double dt;
+    double travel;  // of the two bodies, added up [m]
+    ContactScratch& scratch;
 
-template <class Wall>
-double proven_gap(const Bodies& bodies, const Sphere& a, const Wall& wall, const PairState&,
-                  const IdPair& ids) {
-    return wall_distance(wall, bodies.walls.state[ids.j], bodies.particles.position[ids.i]) -
-           a.radius;
-}
+    PairContact contact(PointHistory& history, NoCache&) const {
+        return collide(a, b, pair, law, dt, history);
+    }
+    template <class History>
+    PairContact contact(History& history, MissCache& miss) const {
+        return collide(a, b, pair, law, dt, history, miss);
+    }
+    PairContact contact(PatchHistory& history, NodeCache& cache) const {
+        return collide(a, b, pair, law, dt, NodeMemory{history, cache, scratch, travel});
+    }
+};
 
 // Travels and positions are long sums, each term rounded: a little less than the gap is certain.
 double certain_travel(double travel, double gap, double radius) {
@@ -83,7 +93,24 @@ struct Worker {
     const Partner partner;
     double dt;
     std::vector<typename List::NewContact>& begun;
+    ContactScratch& scratch;
     LargestOverlap largest{};
+
+    // Distance of a pair that does not touch, at least; <= 0 when nothing is known [m].
+    template <class A, class B>
+    double gap(const A& a, const B& b, std::uint32_t k, double travel) const {
+        const IdPair ids = list.ids[k];
+        const auto& position = partner.bodies.particles.position;
+        if constexpr (std::is_same_v<typename List::Cache, MissCache>) {
+            return list.caches[k].gap;
+        } else if constexpr (std::is_same_v<typename List::Cache, NodeCache>) {
+            return list.caches[k].clear_until - travel;
+        } else if constexpr (Partner::is_wall) {
+            return wall_distance(b, partner.bodies.walls.state[ids.j], position[ids.i]) - a.radius;
+        } else {
+            return (position[ids.j] - position[ids.i]).norm() - a.radius - b.radius;
+        }
+    }
 
     void compute(std::uint32_t k) {
         const IdPair ids = list.ids[k];
@@ -97,13 +124,15 @@ struct Worker {
         typename List::History fresh{};
         const bool is_new = list.history_of[k] == List::none;
         auto& history = is_new ? fresh : list.histories[list.history_of[k]];
-        const PairContact contact = collide(a, b, pair, partner.law(ids), dt, history);
+        const KernelCall<typename List::A, typename List::B> call{
+            a, b, pair, partner.law(ids), dt, travel, scratch};
+        const PairContact contact = call.contact(history, list.caches[k]);
 
         const std::uint32_t r = list.first_result + k;
         lists.touching[r] = contact.touches() ? 1 : 0;
         if (!contact.touches()) {
-            const double gap = proven_gap(bodies, a, b, pair, ids);
-            list.quiet_until[k] = certain_travel(travel, gap, partner.smaller_radius(ids));
+            list.quiet_until[k] =
+                certain_travel(travel, gap(a, b, k, travel), partner.smaller_radius(ids));
             return;
         }
         lists.results[r] = {
@@ -125,7 +154,8 @@ void compute_list(List& list, NeighborLists& lists, const Partner& partner, doub
 #pragma omp parallel if (size >= parallel_threshold)
     {
         const auto thread = static_cast<std::size_t>(omp_get_thread_num());
-        Worker<List, Partner> worker{list, lists, partner, dt, list.begun[thread]};
+        Worker<List, Partner> worker{
+            list, lists, partner, dt, list.begun[thread], scratch.threads[thread].points};
 #pragma omp for schedule(static)
         for (std::uint32_t k = 0; k < size; ++k) worker.compute(k);
         LargestOverlap& largest = scratch.threads[thread].largest;
@@ -142,7 +172,13 @@ void compute_list(List& list, NeighborLists& lists, const Partner& partner, doub
 
 NarrowPhaseScratch make_scratch(const Scene& scene) {
     NarrowPhaseScratch scratch;
+    std::size_t most_nodes = 0;
+    for (const ParticleTemplate& shape : scene.shapes) {
+        const auto* sr = std::get_if<SrShape>(&shape.shape);
+        if (sr != nullptr) most_nodes = std::max<std::size_t>(most_nodes, sr->nodes.count);
+    }
     scratch.threads.resize(static_cast<std::size_t>(omp_get_max_threads()));
+    for (auto& thread : scratch.threads) thread.points.resize(most_nodes);
     for (const BodyKind& kind : scene.kinds) {
         const double volume = scene.shapes[kind.shape].mass_properties.volume;
         scratch.equivalent_radius.push_back(0.5 * equivalent_diameter(volume));

@@ -3,7 +3,12 @@
 
 #include "common/shapes/particle_template.hpp"
 #include "runtime/contact/sphere_sphere.hpp"
+#include "runtime/contact/sphere_sr_nodes.hpp"
 #include "runtime/contact/sphere_wall.hpp"
+#include "runtime/contact/sr_sr_continuous.hpp"
+#include "runtime/contact/sr_sr_nodes.hpp"
+#include "runtime/contact/sr_wall.hpp"
+#include "runtime/contact/sr_wall_nodes.hpp"
 #include "runtime/contact_law/contact_point.hpp"
 #include "runtime/narrow_phase/pair_list.hpp"
 
@@ -14,10 +19,22 @@
 /// runtime/contact.
 namespace dem {
 
-using PairLists = std::tuple<PairList<Sphere, Sphere, PointHistory, NoCache>>;
+using PairLists =
+    std::tuple<PairList<Sphere, Sphere, PointHistory, NoCache>,
+               PairList<Sphere, SrShape, PointHistory, MissCache, ContactLaw::Method::continuous>,
+               PairList<SrShape, Sphere, PointHistory, MissCache, ContactLaw::Method::continuous>,
+               PairList<SrShape, SrShape, PointHistory, MissCache, ContactLaw::Method::continuous>,
+               PairList<Sphere, SrShape, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
+               PairList<SrShape, Sphere, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
+               PairList<SrShape, SrShape, PatchHistory, NodeCache, ContactLaw::Method::nodes>>;
 
-using WallLists = std::tuple<PairList<Sphere, PlaneWall, PointHistory, NoCache>,
-                             PairList<Sphere, CylinderWall, PointHistory, NoCache>>;
+using WallLists = std::tuple<
+    PairList<Sphere, PlaneWall, PointHistory, NoCache>,
+    PairList<Sphere, CylinderWall, PointHistory, NoCache>,
+    PairList<SrShape, PlaneWall, PointHistory, MissCache, ContactLaw::Method::continuous>,
+    PairList<SrShape, CylinderWall, PatchHistory, MissCache, ContactLaw::Method::continuous>,
+    PairList<SrShape, PlaneWall, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
+    PairList<SrShape, CylinderWall, PatchHistory, NodeCache, ContactLaw::Method::nodes>>;
 
 /// How contacts of these shapes are computed: shapes that are not convex need nodes.
 inline ContactLaw::Method contact_method(bool all_convex, const ContactLaw& law) {
