@@ -1,0 +1,4 @@
+# Fig. 2 (g): a disc. Both ends of the path lie off the axis and are closed by flat faces.
+units = mm
+start 5 -1
+line 5 1

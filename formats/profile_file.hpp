@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/shapes/profile.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace dem {
+
+/// What a profile file holds (docs/profile-file.md): a named shape, a path of commands or a table
+/// of points.
+struct ProfileFile {
+    Profile profile;         ///< [m], in the frame of the file
+    std::string name;        ///< of the file, without folder and ending
+    std::uint64_t hash = 0;  ///< FNV-1a of the file's bytes
+};
+
+/// Reads a file. Ends off the axis are closed by discs, a path from top to bottom is turned round.
+/// Throws Error(file:line, ...) for everything that makes no body.
+ProfileFile read_profile(const std::string& path);
+
+/// The same from text; `path` is for messages and the name.
+ProfileFile parse_profile(std::string_view text, const std::string& path);
+
+}  // namespace dem

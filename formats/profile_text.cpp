@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "formats/profile_text.hpp"
+
+#include "common/error.hpp"
+#include "common/units.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace dem {
+namespace {
+
+bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+void check_bytes(std::string_view line, const std::string& place) {
+    for (const char c : line) {
+        const auto byte = static_cast<unsigned char>(c);
+        if ((byte >= 32 && byte != 127) || is_blank(c)) continue;
+        char hex[8];
+        std::snprintf(hex, sizeof hex, "0x%02x", byte);
+        throw Error(place, std::string("byte ") + hex + " found, expected text");
+    }
+}
+
+void add_setting(std::string_view line, std::size_t number, ProfileText& result) {
+    const std::size_t equals = line.find('=');
+    const std::string_view key = trimmed(line.substr(0, equals));
+    const std::string_view value = trimmed(line.substr(equals + 1));
+    if (key.empty() || value.empty())
+        throw Error(result.place(number), in_quotes(line) + " found, expected 'name = value'");
+    const auto [entry, is_new] = result.settings.emplace(key, ProfileText::Setting{value, number});
+    if (!is_new)
+        throw Error(result.place(number), in_quotes(key) + " given again, expected it once (line " +
+                                              std::to_string(entry->second.line) + ")");
+}
+
+}  // namespace
+
+double ProfileText::length(std::string_view text, std::size_t line) const {
+    std::string_view digits = text;
+    if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error == std::errc() && end == digits.data() + digits.size()) {
+        if (std::isfinite(value)) return value * unit;
+        throw Error(place(line), in_quotes(text) + " found, expected a finite length");
+    }
+    try {
+        return parse_quantity(text, Dimension::length);
+    } catch (const Error& problem) {
+        throw Error(place(line), problem.what());
+    }
+}
+
+ProfileText parse_profile_text(std::string_view text, const std::string& path) {
+    ProfileText result;
+    result.path = path;
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark
+    std::size_t number = 0;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (++number > most_profile_lines)
+            throw Error(path, "more than " + std::to_string(most_profile_lines) +
+                                  " lines found, expected a profile of at most that many points");
+        check_bytes(line, result.place(number));
+        line = trimmed(line.substr(0, line.find('#')));
+        if (line.empty()) continue;
+        if (line.find('=') != std::string_view::npos) {
+            add_setting(line, number, result);
+        } else {
+            result.statements.push_back({line, number});
+        }
+    }
+    if (const auto units = result.settings.find("units"); units != result.settings.end()) {
+        try {
+            result.unit = unit_factor(units->second.value, Dimension::length);
+        } catch (const Error& problem) {
+            throw Error(result.place(units->second.line), problem.what());
+        }
+    }
+    return result;
+}
+
+std::string in_quotes(std::string_view word) {
+    constexpr std::size_t longest = 60;
+    if (word.size() <= longest) return "'" + std::string(word) + "'";
+    return "'" + std::string(word.substr(0, longest)) + "...'";
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
+    const std::string near = nearest_word(word, candidates);
+    return near.empty() ? "" : ", did you mean '" + near + "'?";
+}
+
+}  // namespace dem
