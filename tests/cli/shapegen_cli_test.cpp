@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "formats/template_reader.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+namespace dem {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string profiles = DEM_SOURCE_DIR "/data/profiles/";
+
+std::string content(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream out;
+    out << in.rdbuf();
+    return out.str();
+}
+
+/// Runs the program in an empty folder of its own.
+class ShapegenCli : public testing::Test {
+  protected:
+    struct Result {
+        int code;
+        std::string out, err;
+    };
+
+    void SetUp() override {
+        std::array<char, 40> name{"/tmp/shapegen_cli_XXXXXX"};
+        folder_ = mkdtemp(name.data());
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    /// `before`: shell words in front of the program, `after`: behind the arguments.
+    Result run(const std::string& arguments, const std::string& before = "",
+               const std::string& after = "") const {
+        const fs::path streams = folder_.string() + ".streams";
+        fs::create_directory(streams);
+        const std::string command = "cd " + folder_.string() + " && { " + before + " " +
+                                    DEM_BINARY_DIR "/bin/shapegen " + arguments + " >" +
+                                    (streams / "out").string() + " 2>" +
+                                    (streams / "err").string() + " " + after + "; }";
+        const int status = std::system(command.c_str());
+        Result result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(streams / "out"),
+                      content(streams / "err")};
+        fs::remove_all(streams);
+        return result;
+    }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name) << text;
+    }
+
+    std::set<std::string> files() const {
+        std::set<std::string> names;
+        for (const auto& entry : fs::directory_iterator(folder_)) {
+            names.insert(entry.path().filename().string());
+        }
+        return names;
+    }
+
+    /// One line that starts as promised and holds the words; nothing on stdout, no file left.
+    void expect_failure(const Result& result, int code, const std::string& words) const {
+        EXPECT_EQ(result.code, code) << result.err;
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(result.err.rfind("shapegen: error: ", 0), 0U) << result.err;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(ShapegenCli, CooksEveryProfileThatShips) {
+    int cooked = 0;
+    for (const auto& entry : fs::directory_iterator(profiles)) {
+        if (entry.path().extension() != ".profile") continue;
+        const Result result = run(entry.path().string() + " --quiet");
+        EXPECT_EQ(result.code, 0) << result.err;
+        EXPECT_EQ(result.out + result.err, "");
+        const fs::path made = folder_ / entry.path().filename().replace_extension(".tpl");
+        const TemplateFile file = read_template(made);
+        ASSERT_EQ(file.shapes.size(), 1U);
+        EXPECT_EQ(std::get<SrShape>(file.shapes[0].shape).nodes.count, 2000U);
+        for (const auto& [name, value] : file.shapes[0].certificate) {
+            EXPECT_TRUE(std::isfinite(value)) << made << " " << name;
+            if (name == "sdf_error_mean") {
+                EXPECT_LT(value, 3e-5) << made;
+            }
+            if (name == "volume_error") {
+                EXPECT_LT(value, 1e-8) << made;
+            }
+            if (name == "display_mesh_error_max") {
+                EXPECT_LT(value, 1.2e-3) << made;
+            }
+        }
+        ++cooked;
+    }
+    EXPECT_GE(cooked, 14);
+}
+
+TEST_F(ShapegenCli, GivesTheSameBytesTwiceAndForAnyNumberOfThreads) {
+    ASSERT_EQ(run(profiles + "tablet.profile -q", "OMP_NUM_THREADS=1").code, 0);
+    const std::string first = content(folder_ / "tablet.tpl");
+    ASSERT_EQ(run(profiles + "tablet.profile -q", "OMP_NUM_THREADS=2").code, 0);
+    EXPECT_EQ(content(folder_ / "tablet.tpl"), first);
+    EXPECT_EQ(files(), std::set<std::string>{"tablet.tpl"});
+}
+
+TEST_F(ShapegenCli, ReportsWhatItCooked) {
+    const Result result = run(profiles + "tablet.profile -o a.tpl --nodes 500");
+    EXPECT_EQ(result.code, 0) << result.err;
+    for (const char* word : {"tablet", "convex", "5.3110417e-07", "500", "sdf_error_mean", "a.tpl"}) {
+        EXPECT_NE(result.out.find(word), std::string::npos) << word << " in\n" << result.out;
+    }
+}
+
+TEST_F(ShapegenCli, InspectsAsTextAndAsJson) {
+    ASSERT_EQ(run(profiles + "candy.profile -q").code, 0);
+    EXPECT_NE(run("inspect candy.tpl").out.find("candy: sr, convex"), std::string::npos);
+    const Result result = run("inspect candy.tpl --json");
+    EXPECT_EQ(result.code, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    const auto& shape = json["shapes"][0];
+    EXPECT_EQ(shape["kind"], "sr");
+    EXPECT_NEAR(shape["volume"].get<double>(), 6.166517e-7, 1e-13);
+    EXPECT_EQ(shape["counts"]["nodes"], 2000);
+    EXPECT_TRUE(shape["certificate"].contains("support_error_max"));
+}
+
+TEST_F(ShapegenCli, WritesASphereAsOneAndRefusesAnythingElse) {
+    write("ball.profile", "units = mm\nshape = sphere\nradius = 2\n");
+    EXPECT_EQ(run("ball.profile --sphere -q").code, 0);
+    const TemplateFile file = read_template(folder_ / "ball.tpl");
+    EXPECT_NEAR(std::get<Sphere>(file.shapes[0].shape).radius, 2e-3, 1e-15);
+    expect_failure(run(profiles + "tablet.profile --sphere"), 1, "expected a sphere");
+    EXPECT_EQ(files(), (std::set<std::string>{"ball.profile", "ball.tpl"}));
+}
+
+TEST_F(ShapegenCli, ExportsEveryFormat) {
+    ASSERT_EQ(run(profiles + "tablet.profile -q").code, 0);
+    for (const char* name : {"t.svg", "t.stl", "t.vtu", "t.csv"}) {
+        const Result result = run("export tablet.tpl -o " + std::string(name));
+        EXPECT_EQ(result.code, 0) << result.err;
+    }
+    const TemplateFile file = read_template(folder_ / "tablet.tpl");
+    EXPECT_EQ(fs::file_size(folder_ / "t.stl"),
+              84 + 50 * file.shapes[0].display_mesh.triangles.size());
+    EXPECT_EQ(content(folder_ / "t.svg").rfind("<svg", 0), 0U);
+    EXPECT_EQ(content(folder_ / "t.vtu").rfind("<?xml", 0), 0U);
+    const std::string csv = content(folder_ / "t.csv");
+    EXPECT_EQ(csv.rfind("x,y,z,mean_curvature\n", 0), 0U);
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2001);
+    expect_failure(run("export tablet.tpl -o t.docx"), 2, ".svg, .stl, .vtu or .csv");
+    expect_failure(run("export tablet.tpl -o t.stl --shape 1"), 1, "no shape '1'");
+}
+
+TEST_F(ShapegenCli, RefusesAWrongCommandLineWithCodeTwo) {
+    expect_failure(run(""), 2, "no input");
+    expect_failure(run("a.profile --node 10"), 2, "did you mean '--nodes'?");
+    expect_failure(run("a.profile b.profile"), 2, "second input 'b.profile'");
+    expect_failure(run("a.profile --nodes many"), 2, "many");
+    expect_failure(run("a.profile --nodes -5"), 2, "--nodes");
+    expect_failure(run("a.profile --nodes 5"), 2, "expected 100 to");
+    expect_failure(run("a.profile --interface-cells 150"), 2, "power of two");
+    expect_failure(run("a.profile --sr --sphere"), 2, "one of them");
+    expect_failure(run("export a.tpl"), 2, "-o");
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(ShapegenCli, NamesAFileThatIsMissingOrOfTheWrongKind) {
+    expect_failure(run("nothing.profile"), 1, "nothing.profile");
+    expect_failure(run("inspect nothing.tpl"), 1, "nothing.tpl");
+    write("rubbish.tpl", "this is no template");
+    expect_failure(run("inspect rubbish.tpl"), 1, "rubbish.tpl");
+    write("bunny.stl", "solid bunny");
+    expect_failure(run("bunny.stl"), 1, "cooks profiles only");
+}
+
+TEST_F(ShapegenCli, LeavesNothingBehindWhenTheOutputCannotBeWritten) {
+    expect_failure(run(profiles + "tablet.profile -o no/such/folder.tpl"), 1, "no/such/folder.tpl");
+    // A limit on the size of files stands for a full disk.
+    expect_failure(run(profiles + "tablet.profile", "trap '' XFSZ; ulimit -f 8;"), 1, "tablet.tpl");
+    EXPECT_TRUE(files().empty());
+    write("old.tpl", "kept");
+    expect_failure(run(profiles + "tablet.profile -o old.tpl", "trap '' XFSZ; ulimit -f 8;"), 1,
+                   "old.tpl");
+    EXPECT_EQ(content(folder_ / "old.tpl"), "kept");
+    EXPECT_EQ(files(), std::set<std::string>{"old.tpl"});
+}
+
+TEST_F(ShapegenCli, FailsWhenStandardOutputIsFull) {
+    const Result result = run("--help", "", ">/dev/full");
+    EXPECT_EQ(result.code, 1);
+    EXPECT_NE(result.err.find("standard output"), std::string::npos);
+}
+
+TEST_F(ShapegenCli, ExplainsItself) {
+    const Result help = run("--help");
+    EXPECT_EQ(help.code, 0);
+    for (const char* word : {"--nodes", "inspect", "export", "Exit codes", "Example"}) {
+        EXPECT_NE(help.out.find(word), std::string::npos) << word;
+    }
+    const Result version = run("--version");
+    EXPECT_EQ(version.code, 0);
+    EXPECT_EQ(version.out, "shapegen " DEM_VERSION "\n");
+}
+
+}  // namespace
+}  // namespace dem
