@@ -67,6 +67,17 @@ Placements all_at_once(const Scene& scene, std::uint32_t group_index, Occupancy&
                                  "batches or lattice");
 }
 
+/// Throws Error when even the empty region found no place: the batches would wait for ever.
+Placements batch(const Scene& scene, std::uint32_t group_index, std::uint64_t first,
+                 std::uint64_t wanted, Occupancy& occupancy) {
+    const bool was_empty = occupancy.is_empty();
+    Placements placed = random_placements(scene, group_index, first, wanted, occupancy);
+    const InsertionGroup& group = scene.insertions[group_index];
+    if (!placed.empty() || !was_empty) return placed;
+    throw Error(group.where, "the region of [particles." + group.name +
+                                 "] cannot hold one body, expected a larger region");
+}
+
 Placements file_rows(const Scene& scene, std::uint32_t group_index, const Particles& particles,
                      Occupancy& occupancy) {
     const InsertionGroup& group = scene.insertions[group_index];
@@ -144,8 +155,7 @@ void Inserter::insert_group(const Scene& scene, std::uint32_t g, Particles& part
             placed = file_rows(scene, g, particles, occupancy);
             break;
         case Mode::batches:
-            placed = random_placements(scene, g, progress.placed, std::min(group.batch, missing(g)),
-                                       occupancy);
+            placed = batch(scene, g, progress.placed, std::min(group.batch, missing(g)), occupancy);
             // Times are multiples of the interval, never sums; intervals missed are not made up.
             progress.events =
                 1 + std::max(progress.events,

@@ -19,6 +19,7 @@ class Occupancy {
     Occupancy(const Scene& scene, const Particles& particles, const Aabb& room, double time);
 
     void add(const BodyPlacement& body);
+    bool is_empty() const { return residents_.empty(); }  ///< of bodies
 
     /// Number of a body that `body` overlaps: particles of the constructor by their id, then those
     /// added, counted on from the number of particles; nullopt: none.

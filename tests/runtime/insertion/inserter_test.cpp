@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/insertion/inserter.hpp"
+
+#include "tests/runtime/case/case_text.hpp"
+
+#include <cstdio>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+namespace dem {
+namespace {
+
+Particles inserted(const Scene& scene, double time = 0.0) {
+    Particles particles;
+    Inserter(scene).insert_due(scene, particles, time);
+    return particles;
+}
+
+std::string insertion_message(const Scene& scene) {
+    try {
+        inserted(scene);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "fine";
+}
+
+double radius_of(const Scene& scene, const Particles& particles, std::uint32_t id) {
+    return scene.shapes[scene.kinds[particles.kind[id]].shape].bounding_radius;
+}
+
+/// Smallest gap between any two of the spheres [m], by brute force.
+double smallest_gap(const Scene& scene, const Particles& particles) {
+    double gap = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < particles.size(); ++i) {
+        for (std::uint32_t j = i + 1; j < particles.size(); ++j) {
+            gap =
+                std::min(gap, (particles.position[i] - particles.position[j]).norm() -
+                                  radius_of(scene, particles, i) - radius_of(scene, particles, j));
+        }
+    }
+    return gap;
+}
+
+const char* const small_beads =
+    "[particles.beads]\nradius = 1 mm\nmaterial = coating\ncount = 300\n"
+    "region = cylinder 0 0 10 mm  0 0 100 mm  25 mm\n";
+
+TEST(InsertAtOnce, NothingOverlapsAndEveryBodyIsWhollyInItsRegion) {
+    const Scene scene = scene_of(sphere_case(small_beads), "particles.balls.count=60");
+    const Particles particles = inserted(scene);
+    ASSERT_EQ(particles.size(), 360U);
+    EXPECT_GE(smallest_gap(scene, particles), 0.0);
+    for (std::uint32_t id = 0; id < particles.size(); ++id) {
+        const Vec3& p = particles.position[id];
+        const double r = radius_of(scene, particles, id);
+        EXPECT_LE(p.head<2>().norm() + r, 25e-3 + 1e-15);
+        EXPECT_GE(p.z() - r, 10e-3 - 1e-15);
+        EXPECT_LE(p.z() + r, 100e-3 + 1e-15);
+        EXPECT_EQ(particles.group[id], id < 60 ? 0U : 1U);
+    }
+}
+
+TEST(InsertAtOnce, TheSameSeedGivesTheSameBitsAndAnotherOneDoesNot) {
+    const Particles a = inserted(scene_of(sphere_case()));
+    const Particles b = inserted(scene_of(sphere_case()));
+    const Particles c = inserted(scene_of(sphere_case(), "run.seed=2"));
+    EXPECT_EQ(a.position, b.position);
+    EXPECT_NE(a.position, c.position);
+}
+
+TEST(InsertAtOnce, ARegionThatIsTooSmallSaysHowManyItHeld) {
+    const Scene scene = scene_of(sphere_case(), "particles.balls.count=5000");
+    const std::string text = insertion_message(scene);
+    int held = 0;
+    int wanted = 0;
+    ASSERT_EQ(
+        std::sscanf(text.c_str(), "c.ini:15: the region of [particles.balls] holds %d of %d bodies",
+                    &held, &wanted),
+        2)
+        << text;
+    EXPECT_EQ(wanted, 5000);
+    // Random sequential addition of spheres jams at 38 % of the volume; walls cost some.
+    const double fraction = held * 4.0 / 3.0 * pi * cube(5e-3) / (pi * square(25e-3) * 90e-3);
+    EXPECT_GT(fraction, 0.2);
+    EXPECT_LT(fraction, 0.4);
+    EXPECT_NE(
+        insertion_message(scene_of(sphere_case(), "particles.balls.region=box 0 0 10 9 9 19 mm")),
+        "fine")
+        << "smaller than one body";
+}
+
+TEST(InsertAtOnce, BodiesKeepClearOfARodInTheirRegion) {
+    const Scene scene =
+        scene_of(sphere_case("[wall.rod]\nshape = cylinder\nside = outside\n"
+                             "point = 0 0 -1\nradius = 10 mm\nmaterial = steel\n"));
+    const Particles particles = inserted(scene);
+    for (const Vec3& p : particles.position) EXPECT_GE(p.head<2>().norm(), 15e-3 - 1e-15);
+}
+
+TEST(InsertLattice, ABlockOfCellsIsFilledToTheLastOne) {
+    const auto lattice = [](const char* count) {
+        return scene_of(sphere_case(), "particles.balls.insert=lattice",
+                        "particles.balls.region=box -15 -15 10 15 15 60 mm",
+                        std::string("particles.balls.count=") + count);
+    };
+    const Scene full = lattice("45");  // 3 x 3 x 5 cells of 10 mm, no room to spare
+    const Particles particles = inserted(full);
+    ASSERT_EQ(particles.size(), 45U);
+    EXPECT_GE(smallest_gap(full, particles), 0.0);
+    EXPECT_LT(particles.position[0].x(), particles.position[1].x());
+    EXPECT_EQ(particles.position[0].z(), particles.position[8].z());
+    EXPECT_LT(particles.position[8].z(), particles.position[9].z());
+    const std::string text = insertion_message(lattice("46"));
+    EXPECT_NE(text.find("holds 45 of 46 bodies on a lattice of 3 x 3 x 5 cells"), std::string::npos)
+        << text;
+}
+
+TEST(InsertLattice, CellsBeyondARoundSideOrInABodyAreLeftOut) {
+    const Scene scene = scene_of(
+        sphere_case("[particles.grid]\nradius = 2 mm\nmaterial = coating\ninsert = lattice\n"
+                    "count = 500\nregion = cylinder 0 0 10 mm  0 0 100 mm  25 mm\n"));
+    const Particles particles = inserted(scene);
+    ASSERT_EQ(particles.size(), 520U);
+    EXPECT_GE(smallest_gap(scene, particles), 0.0);
+    for (const Vec3& p : particles.position) EXPECT_LE(p.head<2>().norm(), 23e-3 + 1e-9);
+}
+
+// A moment's work if the search is local, hours if it is not.
+TEST(InsertLattice, AHundredThousandSpheresAreNoTrouble) {
+    const Scene scene = scene_of(sphere_case(), "particles.balls.insert=lattice",
+                                 "particles.balls.count=100000", "particles.balls.radius=0.25 mm",
+                                 "particles.balls.region=box -17 -17 0 17 17 60 mm");
+    EXPECT_EQ(inserted(scene).size(), 100000U);
+}
+
+class InsertBatches : public testing::Test {
+  protected:
+    Scene scene_ =
+        scene_of(sphere_case(), "particles.balls.insert=batches", "particles.balls.batch=8",
+                 "particles.balls.every=100 ms", "particles.balls.start=50 ms",
+                 "particles.balls.region=cylinder 0 0 80 mm 0 0 100 mm 25 mm");
+    Inserter inserter_{scene_};
+    Particles particles_;
+};
+
+TEST_F(InsertBatches, ComeWhenTheyAreDue) {
+    EXPECT_EQ(inserter_.next_time(), 0.05);
+    EXPECT_EQ(inserter_.insert_due(scene_, particles_, 0.049), 0U);
+    EXPECT_EQ(inserter_.insert_due(scene_, particles_, 0.0501), 8U);
+    EXPECT_DOUBLE_EQ(inserter_.next_time(), 0.15) << "a multiple of the interval, not a sum";
+    EXPECT_EQ(inserter_.insert_due(scene_, particles_, 0.06), 0U);
+    for (Vec3& p : particles_.position) p.z() -= 0.06;  // they have fallen
+    EXPECT_EQ(inserter_.insert_due(scene_, particles_, 0.1501), 8U);
+    EXPECT_DOUBLE_EQ(inserter_.next_time(), 0.25);
+    for (Vec3& p : particles_.position) p.z() -= 0.06;
+    EXPECT_EQ(inserter_.missing(0), 4U);
+    EXPECT_EQ(inserter_.insert_due(scene_, particles_, 0.2501), 4U) << "the rest of 20";
+    EXPECT_EQ(inserter_.missing(0), 0U);
+    EXPECT_EQ(inserter_.next_time(), std::numeric_limits<double>::infinity());
+}
+
+TEST_F(InsertBatches, WaitWhileTheirRegionIsOccupied) {
+    inserter_.insert_due(scene_, particles_, 0.05);
+    std::uint32_t total = particles_.size();
+    for (int k = 1; k < 6; ++k) {  // nothing falls: the region fills up
+        total += inserter_.insert_due(scene_, particles_, 0.05 + 0.1 * k + 1e-9);
+    }
+    EXPECT_GE(smallest_gap(scene_, particles_), 0.0);
+    EXPECT_EQ(total, particles_.size());
+    EXPECT_LT(total, 20U);
+    EXPECT_EQ(inserter_.missing(0), 20U - total);
+    for (Vec3& p : particles_.position) p.z() -= 0.06;
+    EXPECT_GT(inserter_.insert_due(scene_, particles_, 1.0), 0U);
+    EXPECT_GT(inserter_.next_time(), 1.0) << "missed times are not made up";
+}
+
+TEST(InsertBatchesAlone, ARegionTooSmallForOneBodyIsAnError) {
+    const Scene scene =
+        scene_of(sphere_case(), "particles.balls.insert=batches", "particles.balls.every=100 ms",
+                 "particles.balls.region=box 0 0 80 9 15 100 mm");
+    EXPECT_NE(insertion_message(scene).find("cannot hold one body"), std::string::npos);
+}
+
+class InsertFile : public testing::Test {
+  protected:
+    InsertFile()
+        : path_(testing::TempDir() + "inserter_test_" +
+                testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv") {}
+    ~InsertFile() override { std::remove(path_.c_str()); }
+    std::string message(const std::string& rows, const std::string& more = "") {
+        std::ofstream(path_) << rows;
+        return insertion_message(
+            scene_of(sphere_case("[particles.probe]\nradius = 5 mm\n"
+                                 "material = coating\ninsert = file\nfile = " +
+                                 path_ + "\n" + more)));
+    }
+    std::string path_;
+};
+
+TEST_F(InsertFile, ARowThatOverlapsIsNamed) {
+    EXPECT_EQ(message("x,z\n0,0.15\n0.010001,0.15\n"), "fine");
+    EXPECT_EQ(message("x,z\n0,0.15\n0.0099,0.15\n"),
+              path_ +
+                  ":3: the body overlaps the body of line 2, expected free places (or 'overlaps "
+                  "= allow')");
+    EXPECT_EQ(message("x,z\n0,0.15\n0.021,0.15\n"), path_ + ":3: the body overlaps wall 'vessel'");
+    EXPECT_EQ(message("x,z\n0,0.15\n0.0099,0.15\n", "overlaps = allow\n"), "fine");
+}
+
+}  // namespace
+}  // namespace dem
