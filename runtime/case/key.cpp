@@ -57,7 +57,7 @@ std::string number_text(double x) {
 std::string value_text(const Key& key) {
     switch (key.type) {
         case ValueType::yes_no:
-            return "`yes`, `no`";
+            return "yes, no";
         case ValueType::choice:
             return joined(key.words, ", ");
         case ValueType::vector:

@@ -15,6 +15,21 @@ std::vector<std::string> shape_names(const std::vector<std::uint32_t>& shapes, c
     return names;
 }
 
+/// A fixed body with a velocity would be a contradiction, not a moving wall.
+void check_standing(const Values& values, const InsertionGroup& group) {
+    const auto stands = [](const Vec3& velocity, const Vec3& spin) {
+        return velocity == Vec3::Zero() && spin == Vec3::Zero();
+    };
+    for (const BodyPlacement& body : group.placements) {
+        if (stands(body.velocity, body.angular_velocity)) continue;
+        throw Error(group.file + ":" + std::to_string(body.line),
+                    "a velocity found for a fixed body, expected none");
+    }
+    if (!stands(group.velocity, group.angular_velocity)) {
+        throw Error(values.where("fixed"), "'yes' found with a velocity, expected one of them");
+    }
+}
+
 }  // namespace
 
 const ParticleGroupReader::Shapes& ParticleGroupReader::template_shapes(const Values& values,
@@ -107,6 +122,7 @@ void ParticleGroupReader::read(const Values& values, Scene& scene) {
         group.velocity = values.vector("velocity");
         group.angular_velocity = values.vector("angular_velocity");
     }
+    if (values.yes_no("fixed")) check_standing(values, group);
     if (group.mode == InsertionGroup::Mode::batches) {
         group.batch = values.count("batch");
         group.every = values.number("every");

@@ -75,7 +75,8 @@ void describe(const Scene& scene, const InsertionGroup& group, std::ostringstrea
             out << group.batch << " every " << group.every << " s";
             break;
     }
-    out << " from " << group.start << " s";
+    out << ", " << (group.mode == InsertionGroup::Mode::batches ? "from " : "at ") << group.start
+        << " s";
     const double last = last_insertion(group);
     if (last > group.start) out << ", the last at " << last << " s or later";
     if (last > scene.run.end_time) out << " (AFTER end_time: not all will come in)";

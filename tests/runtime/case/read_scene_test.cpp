@@ -96,6 +96,13 @@ TEST(ReadScene, AFixedBodyHasNoInverseInertiaAndItsOwnKind) {
     EXPECT_GT(scene.kinds[1].mass, 0.0);
 }
 
+TEST(ReadScene, AFixedBodyHasNoVelocity) {
+    EXPECT_EQ(case_message(sphere_case(), "particles.balls.fixed=yes"), "fine");
+    EXPECT_EQ(case_message(sphere_case(), "particles.balls.fixed=yes",
+                           "particles.balls.velocity=0 0 1 mm/s"),
+              "--set particles.balls.fixed: 'yes' found with a velocity, expected one of them");
+}
+
 TEST(ReadScene, MistakesAreNamedWithTheirLine) {
     EXPECT_EQ(case_message(sphere_case("[wal.floor]\nshape = plane\n")),
               "c.ini:25: unknown section [wal.floor], did you mean 'wall'?");

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/error.hpp"
+#include "runtime/case/key.hpp"
+#include "runtime/case/read_scene.hpp"
+#include "runtime/case/scene_summary.hpp"
+#include "runtime/run.hpp"
+
+#include <csignal>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <boost/program_options.hpp>
+
+namespace {
+
+namespace po = boost::program_options;
+
+volatile std::sig_atomic_t stop_requested = 0;
+
+/// The first Ctrl-C ends the run after the current step, another one seconds later the program.
+/// One that follows at once is the same request: `timeout` signals a program and then its group.
+void request_stop(int signal) {
+    static volatile std::time_t first = 0;
+    const std::time_t now = std::time(nullptr);  // safe in a signal handler
+    if (stop_requested == 0) {
+        first = now;
+        stop_requested = 1;
+    } else if (now - first > 1) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
+}
+
+struct CommandLine {
+    std::string case_path;
+    std::optional<std::string> directory;
+    std::optional<int> threads;
+    std::vector<std::string> overrides;
+    bool check = false;
+    bool quiet = false;
+};
+
+po::options_description options() {
+    po::options_description visible("options");
+    auto add = visible.add_options();
+    add("out", po::value<std::string>()->value_name("DIR"),
+        "folder for the results (default: the case's name)");
+    add("threads", po::value<int>()->value_name("N"), "0: every core; never changes a result");
+    add("set", po::value<std::vector<std::string>>()->value_name("SECTION.KEY=VALUE"),
+        "set a value over the case file; may be repeated");
+    add("check", "read and check everything, describe the scene, run nothing");
+    add("keys", "list everything a case file may say (Markdown)");
+    add("quiet", "no progress");
+    add("version", "print the version");
+    add("help", "print this");
+    return visible;
+}
+
+po::variables_map parse(int argc, char** argv) {
+    po::options_description all = options();
+    all.add_options()("case", po::value<std::string>());
+    po::positional_options_description positional;
+    positional.add("case", 1);
+    // No guessing: a shortened name would change its meaning when an option is added.
+    const int style =
+        po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+    po::variables_map values;
+    try {
+        po::store(po::command_line_parser(argc, argv)
+                      .options(all)
+                      .positional(positional)
+                      .style(style)
+                      .run(),
+                  values);
+    } catch (const po::error& error) {
+        throw dem::UsageError(std::string(error.what()) + ", expected what --help lists");
+    }
+    return values;
+}
+
+CommandLine command_line(const po::variables_map& values) {
+    CommandLine line;
+    if (values.count("case") == 0) throw dem::UsageError("no case file given, expected case.ini");
+    line.case_path = values["case"].as<std::string>();
+    if (values.count("out") != 0) line.directory = values["out"].as<std::string>();
+    if (values.count("threads") != 0) line.threads = values["threads"].as<int>();
+    if (line.threads && (*line.threads < 0 || *line.threads > 4096)) {
+        throw dem::UsageError("--threads " + std::to_string(*line.threads) +
+                              " found, expected 0 to 4096");
+    }
+    if (values.count("set") != 0) line.overrides = values["set"].as<std::vector<std::string>>();
+    line.check = values.count("check") != 0;
+    line.quiet = values.count("quiet") != 0;
+    return line;
+}
+
+dem::Scene scene_of(const CommandLine& line) {
+    dem::CaseFile file = dem::read_case_file(line.case_path);
+    for (const std::string& assignment : line.overrides) dem::override_value(file, assignment);
+    dem::Scene scene = dem::read_scene(file);
+    if (line.threads) scene.run.threads = *line.threads;
+    scene.output.directory =
+        line.directory.value_or(std::filesystem::path(line.case_path).stem().string());
+    return scene;
+}
+
+void report(const dem::RunResult& result, const std::string& directory) {
+    if (result.end == dem::RunResult::End::interrupted) {
+        std::cerr << "demrun: interrupted at " << result.time << " s; what was computed is kept\n";
+    }
+    std::cout << result.particles << " particles, " << result.steps << " steps to " << result.time
+              << " s in " << dem::format_duration(result.wall_time) << " ("
+              << result.microseconds_per_particle_step << " us per particle and step)\nresults in "
+              << directory << "\n";
+}
+
+void run(const CommandLine& line) {
+    dem::Scene scene = scene_of(line);
+    if (line.check) {
+        std::cout << dem::check_scene(scene);
+        return;
+    }
+    std::signal(SIGINT, request_stop);
+    std::signal(SIGTERM, request_stop);
+    const std::string directory = scene.output.directory;
+    dem::Progress progress(std::cerr, dem::Progress::stderr_style(line.quiet), "demrun",
+                           scene.run.end_time);
+    dem::RunOptions run_options;
+    run_options.progress = &progress;
+    run_options.stop_requested = &stop_requested;
+    const dem::RunResult result = dem::run(std::move(scene), run_options);
+    if (!line.quiet) report(result, directory);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const po::variables_map values = parse(argc, argv);
+        if (values.count("help") != 0) {
+            std::cout << "demrun CASE.ini [options]: runs a case (docs/case-file.md)\n"
+                      << options();
+        } else if (values.count("version") != 0) {
+            std::cout << "demrun " DEM_VERSION "\n";
+        } else if (values.count("keys") != 0) {
+            std::cout << dem::describe_keys();
+        } else {
+            run(command_line(values));
+        }
+        return 0;
+    } catch (const dem::UsageError& error) {
+        std::cerr << "demrun: error: " << error.what() << "\n";
+        return 2;
+    } catch (const std::exception& error) {
+        std::cerr << "demrun: error: " << error.what() << "\n";
+        return 1;
+    }
+}

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/cli/program.hpp"
+
+#include <gtest/gtest.h>
+
+namespace dem {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const small_case =
+    "[run]\nend_time = 20 ms\n"
+    "[material.m]\ndensity = 1000\nyoungs_modulus = 5 MPa\npoissons_ratio = 0.3\n"
+    "[contact]\nrestitution = 0.6\nfriction = 0.3\n"
+    "[particles.balls]\nradius = 5 mm\nmaterial = m\ncount = 20\n"
+    "region = box -20 -20 0 20 20 40 mm\n"
+    "[wall.room]\nshape = box\nlower = -20 -20 0 mm\nupper = 20 20 60 mm\nmaterial = m\n";
+
+class Demrun : public testing::Test {
+  protected:
+    Demrun()
+        : folder_(fs::path(testing::TempDir()) /
+                  (std::string("demrun_") +
+                   testing::UnitTest::GetInstance()->current_test_info()->name())) {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+        std::ofstream(folder_ / "case.ini") << small_case;
+    }
+    ~Demrun() override { fs::remove_all(folder_); }
+    Outcome demrun(const std::string& arguments) const {
+        return run_command(program("demrun") + " " + arguments, folder_);
+    }
+    fs::path folder_;
+};
+
+TEST_F(Demrun, AWrongCommandLineIsTwo) {
+    for (const char* arguments : {"", "a.ini b.ini", "case.ini --chekc", "case.ini --threads x",
+                                  "case.ini --threads -1", "case.ini --set", "case.ini --set nodot",
+                                  "case.ini --resume", "--unknown", "case.ini --out"}) {
+        const Outcome outcome = demrun(arguments);
+        EXPECT_EQ(outcome.code, 2) << arguments;
+        EXPECT_TRUE(outcome.errors.starts_with("demrun: error: ")) << outcome.errors;
+        EXPECT_EQ(outcome.errors.find('\n'), outcome.errors.size() - 1) << outcome.errors;
+        EXPECT_EQ(outcome.output, "");
+    }
+}
+
+TEST_F(Demrun, ABadCaseIsOneLineAndOneAndWritesNothing) {
+    const Outcome unknown = demrun("case.ini --set contact.frictoin=1");
+    EXPECT_EQ(unknown.code, 1);
+    EXPECT_EQ(unknown.errors,
+              "demrun: error: --set contact.frictoin: unknown key 'frictoin' in [contact], did you "
+              "mean 'friction'?\n");
+    std::ofstream(folder_ / "case.ini", std::ios::app) << "colour = red\n";
+    EXPECT_EQ(demrun("case.ini").errors.substr(0, 50),
+              "demrun: error: case.ini:20: unknown key 'colour' i");
+    EXPECT_EQ(demrun("none.ini").code, 1);
+    EXPECT_FALSE(fs::exists(folder_ / "case"));
+    EXPECT_FALSE(fs::exists(folder_ / "none"));
+}
+
+TEST_F(Demrun, CheckDescribesAndWritesNothing) {
+    const Outcome outcome = demrun("case.ini --check");
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_NE(outcome.output.find("balls: 20 x sphere"), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("time step: "), std::string::npos);
+    EXPECT_FALSE(fs::exists(folder_ / "case"));
+}
+
+TEST_F(Demrun, CheckFindsWhatCannotRun) {
+    const Outcome crowd = demrun("case.ini --check --set particles.balls.count=1000");
+    EXPECT_EQ(crowd.code, 1);
+    EXPECT_NE(crowd.errors.find("of 1000 bodies placed at random"), std::string::npos);
+    const Outcome step = demrun("case.ini --check --set 'run.time_step=10 ms'");
+    EXPECT_EQ(step.code, 1);
+    EXPECT_NE(step.errors.find("critical"), std::string::npos) << step.errors;
+    EXPECT_EQ(
+        demrun("case.ini --check --set 'run.time_step=10 ms' --set run.time_step_force=yes").code,
+        0);
+}
+
+TEST_F(Demrun, HelpAndVersionNeedNoCase) {
+    EXPECT_EQ(demrun("--version").output, "demrun " DEM_VERSION "\n");
+    EXPECT_NE(demrun("--help").output.find("--threads"), std::string::npos);
+    EXPECT_NE(demrun("--keys").output.find("`restitution`"), std::string::npos);
+}
+
+TEST_F(Demrun, ARunWritesItsResultsIntoAFolderOfTheCasesName) {
+    const Outcome outcome = demrun("case.ini --threads 1 --quiet");
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(outcome.output + outcome.errors, "") << "quiet";
+    for (const char* name :
+         {"frames.h5", "frames.xdmf", "history.csv", "final.csv", "summary.json"}) {
+        EXPECT_TRUE(fs::exists(folder_ / "case" / name)) << name;
+    }
+    const Outcome loud = demrun("case.ini --out elsewhere");
+    EXPECT_NE(loud.output.find("20 particles"), std::string::npos) << loud.output;
+    EXPECT_EQ(content(folder_ / "case/final.csv"), content(folder_ / "elsewhere/final.csv"))
+        << "another number of threads";
+}
+
+TEST_F(Demrun, ARunCanStartFromAnothersEnd) {
+    ASSERT_EQ(demrun("case.ini --quiet").code, 0);
+    std::string text = small_case;
+    const std::size_t start = text.find("count = 20\n");
+    text.replace(start, text.find("[wall.room]") - start,
+                 "insert = file\nfile = case/final.csv\noverlaps = allow\n");
+    std::ofstream(folder_ / "again.ini") << text;
+    const Outcome outcome = demrun("again.ini --check");
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_NE(outcome.output.find("balls: 20 x sphere"), std::string::npos);
+}
+
+TEST_F(Demrun, AFolderThatCannotBeWrittenIsAnErrorBeforeTheRun) {
+    std::ofstream(folder_ / "taken") << "a file";
+    const Outcome outcome = demrun("case.ini --out taken");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.errors.find("taken"), std::string::npos) << outcome.errors;
+    EXPECT_EQ(content(folder_ / "taken"), "a file");
+}
+
+TEST_F(Demrun, AnInterruptKeepsWhatWasComputed) {
+    const Outcome outcome = run_command("timeout --preserve-status --signal INT 2 " +
+                                            program("demrun") + " case.ini --set run.end_time=1h",
+                                        folder_);
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_NE(outcome.errors.find("interrupted at "), std::string::npos) << outcome.errors;
+    EXPECT_FALSE(content(folder_ / "case/final.csv").empty());
+    EXPECT_NE(content(folder_ / "case/summary.json").find("interrupted"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace dem
