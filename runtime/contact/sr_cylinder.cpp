@@ -95,14 +95,15 @@ WallTouch touch_inside(const SrShape& a, const SrSupport& support, const Cylinde
     if (touch.gap > 0.0) return touch;
 
     const PlanarOutline outline(support, axis, off_axis, 1.0);
-    // Beyond this angle from the centre's direction no point of the bounding sphere reaches the
-    // wall.
-    const double cosine = r > 0.0 ? (wall.radius - a.bounding_radius) / r : -1.0;
+    // Beyond this angle from the centre's direction every point of the bounding sphere stays at
+    // least `clear` away from the wall: nothing that is not looked at there can lessen a gap below.
+    const double clear = 0.1 * a.bounding_radius;
+    const double cosine = r > 0.0 ? (wall.radius - clear - a.bounding_radius) / r : -1.0;
     const double half_window = std::acos(std::clamp(cosine, -1.0, 1.0));
     const double middle = r > 0.0 ? outline.angle_of(off_axis) : 0.0;
     const OutlineDivision division(a.support, outline.tilt(), wall.radius);
 
-    double largest = -std::numeric_limits<double>::infinity();
+    double largest = wall.radius - clear;
     double low = middle - half_window;
     double low_slope = outline.at(low).slope;
     while (low < middle + half_window) {
