@@ -3,6 +3,7 @@
 
 #include "common/shapes/sdf_quadtree.hpp"
 #include "common/shapes/sr_shape.hpp"
+#include "common/shapes/support_map.hpp"
 #include "runtime/contact/contact_types.hpp"
 #include "runtime/contact/sdf_vectors.hpp"
 #include "runtime/contact/wall_shapes.hpp"
@@ -18,6 +19,7 @@
 ///     Vec3 gradient(x, sample)    of the distance, exact
 ///     bool accepts(x)             false where the surface has been cut off (a rim)
 ///     double slack                distance(x) - distance(y) <= |x - y| + slack, y near the surface
+///     double floor(x)             cheap lower bound of the distance, or -infinity [m]
 ///     double proven_gap(d)        a point at distance d >= 0 now, or farther, does not touch
 ///     before
 ///                                 it has come nearer to the surface by this [m]
@@ -35,6 +37,9 @@ struct SrField {
     Vec3 center;  ///< [m]
     Vec3 axis;    ///< unit
     double slack;
+    /// A plane with the whole body behind it, if one has been set.
+    Vec3 floor_normal = Vec3::Zero();
+    double floor_offset = std::numeric_limits<double>::infinity();
 
     SrField(const SrShape& shape, const Vec3& center_, const Vec3& axis_)
         : sdf(&shape.sdf),
@@ -64,6 +69,20 @@ struct SrField {
     }
     static bool accepts(const Vec3& /*x*/) { return true; }
 
+    double floor(const Vec3& x) const { return x.dot(floor_normal) - floor_offset; }
+
+    /// Sets the floor to the tangent plane of a convex shape with the given outward unit normal.
+    void set_floor(const SrShape& shape, const Vec3& normal) {
+        if (shape.support.pieces.empty()) return;
+        const double n_z = std::clamp(normal.dot(axis), -1.0, 1.0);
+        const double n_r = std::sqrt(1.0 - n_z * n_z);
+        const SupportPoint s = support_point(shape.support, n_r, n_z);
+        // The support map's crowned flats differ from the body by 3e-5 l at most (METHODS 2).
+        floor_offset =
+            normal.dot(center) + s.r * n_r + s.z * n_z + slack + 1e-4 * shape.major_axis_length;
+        floor_normal = normal;
+    }
+
     /// On its way to the surface the point crosses the band where the interpolant is good.
     double proven_gap(double distance) const {
         return std::max(distance - 2.0 * sdf->lipschitz_slack,
@@ -75,6 +94,7 @@ struct SrField {
 struct ExactField {
     double slack;  ///< rounding
 
+    static double floor(const Vec3& /*x*/) { return -std::numeric_limits<double>::infinity(); }
     double proven_gap(double distance) const { return distance - slack; }
 };
 

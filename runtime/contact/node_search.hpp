@@ -13,7 +13,8 @@
 /// order, as a walk over all nodes finds, by two means that skip most of them:
 ///
 /// - Branch and bound over the blocks of nodes. A distance grows no faster than the way walked, so
-///   no node of a block with bounding ball (c, R) is nearer than distance(c) - R - slack.
+///   no node of a block with bounding ball (c, R) is nearer than distance(c) - R - slack. Where a
+///   field knows a plane that it lies behind, blocks and nodes are first held against that.
 /// - A list of the nodes within `margin` of the field, kept from an earlier step. As long as the
 ///   points of the two bodies have moved by less than the margin relative to each other, every
 ///   node that touches is in the list.
@@ -52,8 +53,9 @@ double visit_near_nodes(const SurfaceNodes& nodes, const Field& field, double ma
     constexpr std::uint32_t fan = SurfaceNodes::block_size;
     double others = std::numeric_limits<double>::infinity();
     const auto can_skip = [&](const SurfaceNodes::Ball& ball) {
-        const double bound =
-            field.sample({ball.x, ball.y, ball.z}).distance - ball.radius - field.slack;
+        const Vec3 center(ball.x, ball.y, ball.z);
+        double bound = field.floor(center) - ball.radius;
+        if (bound < margin) bound = field.sample(center).distance - ball.radius - field.slack;
         if (bound < margin) return false;
         others = std::min(others, bound);
         return true;
@@ -67,7 +69,13 @@ double visit_near_nodes(const SurfaceNodes& nodes, const Field& field, double ma
             const std::uint32_t nodes_end = std::min(fan * (b + 1), nodes.count);
             for (std::uint32_t k = fan * b; k < nodes_end; ++k) {
                 const SurfaceNodes::Node& node = nodes.nodes[k];
-                const auto sample = field.sample({node.x, node.y, node.z});
+                const Vec3 x(node.x, node.y, node.z);
+                const double floor = field.floor(x);
+                if (floor >= margin) {
+                    others = std::min(others, floor);
+                    continue;
+                }
+                const auto sample = field.sample(x);
                 if (sample.distance < margin)
                     visit(k, sample);
                 else

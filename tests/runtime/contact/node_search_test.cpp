@@ -75,6 +75,31 @@ TEST(NodeSearch, FindsTheSameNodesAsAWalkOverAllOfThem) {
     EXPECT_GT(touching_pairs, 500);
 }
 
+TEST(NodeSearch, ATangentPlaneOfTheSlaveHidesNoNode) {
+    Random random(6, 0);
+    const SrShape& slave = shapes()[0].shape;  // has a support map
+    ASSERT_FALSE(slave.support.pieces.empty());
+    for (const NamedShape& master : shapes())
+        for (int trial = 0; trial < 200; ++trial) {
+            SrField field = random_pose(master.shape, slave, random);
+            field.set_floor(slave, random.direction());
+            const double margin = random.uniform(0.0, 1e-3);
+            for (std::uint32_t k = 0; k < master.shape.nodes.count; ++k) {
+                const Vec3 x = position(master.shape.nodes, k);
+                // Outside its grid the field itself is only a bound.
+                const double distance = field.sample(x).distance;
+                if (distance < slave.sdf.margin) {
+                    ASSERT_LE(field.floor(x), distance);
+                }
+            }
+            const auto all = walk_over_all(master.shape.nodes, field, margin);
+            std::vector<std::uint32_t> found;
+            visit_near_nodes(master.shape.nodes, field, margin,
+                             [&](std::uint32_t k, const auto&) { found.push_back(k); });
+            ASSERT_EQ(found, all);
+        }
+}
+
 TEST(NodeSearch, BoundsTheDistanceOfNodesItDoesNotVisit) {
     Random random(2, 0);
     for (const NamedShape& master : shapes())

@@ -207,10 +207,12 @@ std::vector<SurfaceNodes::Node> ring_nodes(const Outline& outline, double spacin
     return nodes;
 }
 
-/// Halves along the longest side of the box until 16 are left: blocks of near nodes.
+/// Halves along the longest side of the box, at multiples of 256 and then of 16 nodes: super blocks
+/// and blocks of near nodes.
 void sort_in_blocks(std::vector<SurfaceNodes::Node>& nodes, std::size_t first, std::size_t last) {
-    const std::size_t blocks = (last - first + 15) / 16;
-    if (blocks < 2) return;
+    const std::size_t unit = last - first > 256 ? 256 : 16;
+    const std::size_t parts = (last - first + unit - 1) / unit;
+    if (parts < 2) return;
     Vec3 low = Vec3::Constant(1e300);
     Vec3 high = -low;
     for (std::size_t k = first; k < last; ++k) {
@@ -223,7 +225,7 @@ void sort_in_blocks(std::vector<SurfaceNodes::Node>& nodes, std::size_t first, s
     const auto key = [axis](const SurfaceNodes::Node& n) {
         return axis == 0 ? n.x : axis == 1 ? n.y : n.z;
     };
-    const std::size_t middle = first + 16 * (blocks / 2);
+    const std::size_t middle = first + unit * (parts / 2);
     const auto at = [&](std::size_t k) { return nodes.begin() + static_cast<std::ptrdiff_t>(k); };
     std::nth_element(at(first), at(middle), at(last),
                      [&](const auto& a, const auto& b) { return key(a) < key(b); });
@@ -348,7 +350,11 @@ SrShape make_sr_shape(const std::vector<Vec2>& points, bool is_convex, std::uint
 }
 
 SrShape candy(std::uint32_t nodes) {
-    return make_sr_shape(spheroid_outline(6.585e-3, 3.395e-3), true, nodes);
+    SrShape shape = make_sr_shape(spheroid_outline(6.585e-3, 3.395e-3), true, nodes);
+    shape.support.pieces = std::vector<SupportPiece>{{0.0, 0.0, 6.585e-3, 3.395e-3}};
+    shape.support.piece_end = std::vector<double>{1.0};
+    shape.support.first_piece = std::vector<std::uint32_t>{0, 0};
+    return shape;
 }
 SrShape sharp_tablet(std::uint32_t nodes) {
     return make_sr_shape(tablet_outline(5.675e-3, 4.0e-3, 1.23e-3), true, nodes);
