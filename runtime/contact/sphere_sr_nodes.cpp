@@ -44,7 +44,7 @@ PairContact by_nodes(const Sphere& sphere, const SrShape& shape, const Placement
     const NodeMemory& memory = call.memory;
     const NodeFrame frame{place.orientation.toRotationMatrix(), place.center, place.sign};
     const Vec3 center = frame.to_world.transpose() * (place.sphere - place.center);
-    const SphereField field{{1e-13 * center.norm()}, center, sphere.radius};
+    const SphereField field{{1e-9 * shape.bounding_radius}, center, sphere.radius};
     const double margin = list_margin(shape);
     if (memory.travel >= memory.cache.listed_until) {
         const double gap =

@@ -10,9 +10,9 @@ namespace dem {
 
 namespace {
 
-/// Rounding of an exact distance to a wall, generously [m].
-double rounding(const SrShape& a, const PairState& pair) {
-    return 1e-13 * (a.bounding_radius + pair.displacement.norm());
+/// What rounding may do to positions and to the travel that lists live by, generously [m].
+double rounding(const SrShape& a) {
+    return 1e-9 * a.bounding_radius;
 }
 
 template <class Field>
@@ -40,7 +40,7 @@ PairContact collide(const SrShape& a, const PlaneWall& wall, const PairState& pa
     // A disc acts on bodies in front of it; one behind has at least the way through it to go.
     if (std::isfinite(wall.radius) && in_front <= 0.0) return keep_apart(-in_front, memory);
     const NodeFrame frame{pair.i.orientation.toRotationMatrix()};
-    const PlaneField field{{rounding(a, pair)},
+    const PlaneField field{{rounding(a)},
                            frame.to_world.transpose() * pair.displacement,
                            frame.to_world.transpose() * normal,
                            wall.radius};
@@ -53,7 +53,7 @@ PairContact collide(const SrShape& a, const CylinderWall& wall, const PairState&
     const NodeCall call{pair, law, dt, memory};
     const Vec3 origin = frame.to_world.transpose() * pair.displacement;
     const Vec3 axis = frame.to_world.transpose() * body_axis(pair.j.orientation);
-    const ExactField exact{rounding(a, pair)};
+    const ExactField exact{rounding(a)};
     if (wall.inside) {
         return against(a, TubeField{exact, origin, axis, wall.radius, wall.length}, frame, call);
     }

@@ -28,7 +28,7 @@ double distance_to_cell(const Vec2& x, const Vec2& lower, double size) {
 
 class Builder {
   public:
-    Builder(const Profile& profile, const SdfResolution& resolution)
+    Builder(const Profile& profile, const SdfResolution& resolution, double least_margin)
         : profile_(profile),
           length_(profile.major_axis_length()),
           interface_level_(level_of(resolution.interface, resolution.base)),
@@ -38,9 +38,10 @@ class Builder {
         outer_reach_ = 2.0 * interface_size;
         inner_reach_ = band_depth * length_ + interface_size;
         // One base cell, and more when the base cells are as fine as the interface cells.
-        const double margin = std::max(size, outer_reach_);
+        const double margin = std::max({size, outer_reach_, least_margin});
         const double height = profile.max_z() - profile.min_z();
         sdf_.base_size = size;
+        sdf_.margin = margin;
         sdf_.origin_r = -0.5 * interface_size;
         sdf_.cells_r = cell_count(profile.max_radius() + margin - sdf_.origin_r);
         sdf_.cells_z = cell_count(height + 2.0 * margin);
@@ -180,8 +181,9 @@ void check_resolution(const SdfResolution& resolution) {
     check_ratio("--corner-cells", resolution.corner, resolution.interface, "--interface-cells");
 }
 
-SdfQuadtree signed_distance_field(const Profile& profile, const SdfResolution& resolution) {
-    return Builder(profile, resolution).build();
+SdfQuadtree signed_distance_field(const Profile& profile, const SdfResolution& resolution,
+                                  double least_margin) {
+    return Builder(profile, resolution, least_margin).build();
 }
 
 }  // namespace dem

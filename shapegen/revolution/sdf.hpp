@@ -24,8 +24,9 @@ void check_resolution(const SdfResolution& resolution);
 /// overlap of 10 % of the radius, and no radius exceeds l/2), and one interface cell outwards; at
 /// either end one cell more, because the values beside a seam are those of the coarser side. Corner
 /// cells are the base cells within 0.01 l of a corner. At least one base cell of margin surrounds
-/// the cross-section. Measured in docs/decisions/sdf-quadtree.md.
+/// the cross-section, and at least `least_margin` [m]. Measured in docs/decisions/sdf-quadtree.md.
 /// The slacks are left at zero: they come from sdf_error.
-SdfQuadtree signed_distance_field(const Profile& profile, const SdfResolution& resolution);
+SdfQuadtree signed_distance_field(const Profile& profile, const SdfResolution& resolution,
+                                  double least_margin = 0.0);
 
 }  // namespace dem

@@ -50,6 +50,22 @@ TEST(Sdf, IsContinuousAcrossEverySeam) {
     }
 }
 
+TEST(Sdf, HoldsEveryPointWithinItsMargin) {
+    for (const auto& [name, profile] : test::all_profiles()) {
+        const double l = profile.major_axis_length();
+        for (const double wanted : {0.0, 0.2 * l}) {
+            const SdfQuadtree sdf = signed_distance_field(profile, {}, wanted);
+            EXPECT_GE(sdf.margin, std::max(wanted, 0.02 * l)) << name;
+            const double rounding = 1e-12 * l;
+            const double above = sdf.origin_z + sdf.cells_z * sdf.base_size;
+            const double right = sdf.origin_r + sdf.cells_r * sdf.base_size;
+            EXPECT_LE(sdf.origin_z, profile.min_z() - sdf.margin + rounding) << name;
+            EXPECT_GE(above, profile.max_z() + sdf.margin - rounding) << name;
+            EXPECT_GE(right, profile.max_radius() + sdf.margin - rounding) << name;
+        }
+    }
+}
+
 TEST(Sdf, IsFlatAcrossTheAxis) {
     const SdfQuadtree sdf = signed_distance_field(test::candy(), {});
     EXPECT_EQ(interpolate(sdf, 0.0, 3.395e-3).d_dr, 0.0);
