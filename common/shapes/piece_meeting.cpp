@@ -48,8 +48,8 @@ std::optional<Vec2> second_meeting_point(const ProfileSegment& segment_a, const 
                                          double tolerance) {
     // Seen from the joint, each piece stays within its turn of its own tangent there: while these
     // two cones are apart the pieces cannot meet again.
-    const Vec2 back = -evaluate(segment_a, a.t1).first;
-    const Vec2 ahead = evaluate(segment_b, b.t0).first;
+    const Vec2 back = -a.last_tangent;
+    const Vec2& ahead = b.first_tangent;
     if (a.turn + b.turn < angle_between(back, ahead)) return std::nullopt;
     if ((a.to - a.from).norm() <= tolerance || (b.to - b.from).norm() <= tolerance)
         return std::nullopt;

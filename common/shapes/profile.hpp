@@ -39,7 +39,7 @@ class Profile {
     /// Outward unit normal at a point of a segment.
     Vec2 outward_normal(std::size_t segment, double t) const;
 
-    /// The path cut into parts that turn by less than 0.2 rad, in its order.
+    /// The path cut into parts that turn by less than 0.1 rad, in its order.
     std::span<const ProfilePiece> pieces() const { return tree_.pieces(); }
 
     /// Joints (index = the segment that ends there) whose interior angle is below `max_angle`

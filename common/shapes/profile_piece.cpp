@@ -8,7 +8,7 @@
 namespace dem {
 namespace {
 
-constexpr double largest_turn = 0.2;  // [rad]
+constexpr double largest_turn = 0.1;  // [rad]
 constexpr double shortest_part = 1e-4;
 
 double cross(const Vec2& a, const Vec2& b) {
@@ -25,7 +25,7 @@ const EllipseArc* as_circle(const ProfileSegment& segment) {
 }
 
 /// How far a curve can leave its chord: by its curvature (the arc is at most 10 % longer than the
-/// chord while it turns by less than 0.2 rad), and by staying in the cone of its tangents.
+/// chord while it turns by less than 0.1 rad), and by staying in the cone of its tangents.
 double bulge_bound(double chord, double curvature, double turn) {
     const double by_turn = 0.5 * chord * std::tan(std::min(turn, 1.0));
     const double by_curvature = 0.125 * curvature * square(1.1 * chord);
@@ -45,7 +45,9 @@ void append_circle(const ProfileSegment& segment, const EllipseArc& arc, std::ui
     for (int i = 0; i < count; ++i) {
         const double t0 = static_cast<double>(i) / count;
         const double t1 = static_cast<double>(i + 1) / count;
-        pieces.push_back({evaluate(segment, t0).point, evaluate(segment, t1).point, t0, t1, index,
+        const CurveJet from = evaluate(segment, t0);
+        const CurveJet to = evaluate(segment, t1);
+        pieces.push_back({from.point, to.point, from.first, to.first, t0, t1, index,
                           arc.a * (1.0 - std::cos(0.5 * turn)) * (1.0 + 1e-9), curvature, curvature,
                           turn});
     }
@@ -72,8 +74,17 @@ void append_curve(const ProfileSegment& segment, std::uint32_t index, double t0,
         return;
     }
     const double margin = 0.5 * (high - low);
-    ProfilePiece piece{jets.front().point, jets.back().point,  t0, t1, index, 0.0, low - margin,
-                       high + margin,      1.25 * turn + 1e-12};
+    ProfilePiece piece{jets.front().point,
+                       jets.back().point,
+                       jets.front().first,
+                       jets.back().first,
+                       t0,
+                       t1,
+                       index,
+                       0.0,
+                       low - margin,
+                       high + margin,
+                       1.25 * turn + 1e-12};
     const double chord = (piece.to - piece.from).norm();
     piece.bulge = bulge_bound(chord, largest_curvature(piece), piece.turn);
     pieces.push_back(piece);
@@ -108,10 +119,13 @@ void improve(ProfilePoint& best, const Vec2& point, const ProfilePiece& piece, d
     if (distance < best.distance) best = {point, piece.segment, t, distance};
 }
 
-/// Bracketed Newton for (c - x) . c' = 0, which rises through zero inside the piece or the minimum
-/// is at an end.
+/// Bracketed Newton for (c - x) . c' = 0. Where that does not rise through zero inside the piece
+/// the minimum is at an end, which has been looked at already.
 void improve_by_newton(const ProfileSegment& segment, const ProfilePiece& piece, const Vec2& x,
                        ProfilePoint& best) {
+    if ((piece.from - x).dot(piece.first_tangent) >= 0.0 ||
+        (piece.to - x).dot(piece.last_tangent) <= 0.0)
+        return;
     double low = piece.t0;
     double high = piece.t1;
     const Vec2 chord = piece.to - piece.from;
@@ -191,7 +205,8 @@ double distance_to_chord(const Vec2& x, const Vec2& a, const Vec2& b) {
 void append_pieces(const ProfileSegment& segment, std::uint32_t index,
                    std::vector<ProfilePiece>& pieces) {
     if (const auto* line = std::get_if<LineSegment>(&segment)) {
-        pieces.push_back({line->from, line->to, 0.0, 1.0, index, 0.0, 0.0, 0.0, 0.0});
+        const Vec2 along = line->to - line->from;
+        pieces.push_back({line->from, line->to, along, along, 0.0, 1.0, index, 0.0, 0.0, 0.0, 0.0});
     } else if (const EllipseArc* arc = as_circle(segment)) {
         append_circle(segment, *arc, index, pieces);
     } else {
@@ -204,9 +219,10 @@ void append_pieces(const ProfileSegment& segment, std::uint32_t index,
 
 std::array<ProfilePiece, 2> halves(const ProfileSegment& segment, const ProfilePiece& piece) {
     const double middle = 0.5 * (piece.t0 + piece.t1);
-    const Vec2 point = evaluate(segment, middle).point;
+    const CurveJet jet = evaluate(segment, middle);
     std::array<ProfilePiece, 2> parts{piece, piece};
-    parts[0].to = parts[1].from = point;
+    parts[0].to = parts[1].from = jet.point;
+    parts[0].last_tangent = parts[1].first_tangent = jet.first;
     parts[0].t1 = parts[1].t0 = middle;
     const double curvature = largest_curvature(piece);
     for (ProfilePiece& part : parts) {

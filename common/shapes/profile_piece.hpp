@@ -24,6 +24,7 @@ struct ProfilePoint {
 /// variation.
 struct ProfilePiece {
     Vec2 from, to;
+    Vec2 first_tangent, last_tangent;  ///< derivatives by t at the ends
     double t0, t1;
     std::uint32_t segment;
     double bulge;          ///< no point of the piece is farther from its chord [m]
@@ -32,7 +33,7 @@ struct ProfilePiece {
     double turn;  ///< tangents of two points of the piece differ by no more [rad]
 };
 
-/// Cuts a segment into pieces that turn by less than 0.2 rad (lines and circular arcs are not cut
+/// Cuts a segment into pieces that turn by less than 0.1 rad (lines and circular arcs are not cut
 /// finer than that) and appends them in the order of the path.
 void append_pieces(const ProfileSegment& segment, std::uint32_t index,
                    std::vector<ProfilePiece>& pieces);

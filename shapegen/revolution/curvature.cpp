@@ -86,16 +86,54 @@ class CurvatureSampler {
     CurvatureTable table_;
 };
 
+/// Lines that meet at less than the angle of a corner stand for a smooth curve (a table of points).
+struct FacetJoint {
+    double turn = 0.0;       ///< of the path [rad]
+    double curvature = 0.0;  ///< the turn spread over half of each line [1/m]
+};
+
+/// The joint before segment k; at a pole with the mirror image. Empty where no smooth curve is
+/// meant.
+FacetJoint facet_joint(const Profile& profile, std::size_t k) {
+    const auto segments = profile.segments();
+    const auto* before = std::get_if<LineSegment>(&segments[k == 0 ? 0 : k - 1]);
+    const auto* after = std::get_if<LineSegment>(&segments[std::min(k, segments.size() - 1)]);
+    if (before == nullptr || after == nullptr) return {};
+    Vec2 in = before->to - before->from;
+    Vec2 out = after->to - after->from;
+    if (k == 0) in.y() = -in.y();
+    if (k == segments.size()) out.y() = -out.y();
+    const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+    constexpr double corner = 10.0 * pi / 180.0;
+    if (std::abs(turn) >= corner) return {};
+    return {turn, turn / (0.5 * (in.norm() + out.norm()))};
+}
+
+/// kappa_1 and n_r of the smooth curve that a line stands for: the curvatures of its joints
+/// interpolated, the normal its own in the middle and halfway to the neighbors' at the joints.
+struct Facet {
+    double meridional;
+    double n_r;
+};
+Facet facet(const Profile& profile, std::size_t k, double t, const Vec2& along) {
+    const FacetJoint lower = facet_joint(profile, k);
+    const FacetJoint upper = facet_joint(profile, k + 1);
+    const double tilt = t < 0.5 ? -(0.5 - t) * lower.turn : (t - 0.5) * upper.turn;
+    const double angle = std::atan2(along.y(), along.x());  // n_r = sin of the tangent's angle
+    return {(1.0 - t) * lower.curvature + t * upper.curvature, std::sin(angle + tilt)};
+}
+
 }  // namespace
 
 double mean_curvature(const Profile& profile, std::size_t segment, double t) {
     const CurveJet jet = evaluate(profile.segments()[segment], t);
-    const double meridional = signed_curvature(jet);
+    Facet local{signed_curvature(jet), jet.first.y() / jet.first.norm()};
+    if (std::holds_alternative<LineSegment>(profile.segments()[segment]))
+        local = facet(profile, segment, t, jet.first);
     const double r = jet.point.x();
-    const double n_r = jet.first.y() / jet.first.norm();
     // Below this radius n_r is lost to rounding on a smooth pole, while a cone's tip keeps it.
-    if (r <= 1e-9 * profile.max_radius() && std::abs(n_r) < 1e-6) return meridional;
-    return 0.5 * (meridional + n_r / std::max(r, 1e-300));
+    if (r <= 1e-9 * profile.max_radius() && std::abs(local.n_r) < 1e-6) return local.meridional;
+    return 0.5 * (local.meridional + local.n_r / std::max(r, 1e-300));
 }
 
 double stored_mean_curvature(double mean_curvature, double equivalent_diameter) {

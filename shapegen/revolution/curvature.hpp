@@ -11,7 +11,7 @@ namespace dem {
 /// Mean curvature H = (kappa_1 + kappa_2)/2 of the surface of revolution at a point of its profile,
 /// in closed form from the profile's derivatives: kappa_1 of the profile, kappa_2 = n_r / r, at a
 /// smooth pole kappa_2 = kappa_1 [1/m]. Positive where convex; not clamped, infinite at the tip of
-/// a cone.
+/// a cone. Lines that meet at less than 10 deg stand for a curve: their turns are spread over them.
 double mean_curvature(const Profile& profile, std::size_t segment, double t);
 
 /// H kept to |1/H| >= 0.01 equivalent diameters, as templates store it: at an edge or a tip the

@@ -67,6 +67,23 @@ TEST(Curvature, TableIsOrderedDenseAndWithinItsError) {
     }
 }
 
+TEST(Curvature, ATableOfPointsHasTheCurvatureOfItsCurve) {
+    std::vector<Vec2> points;
+    constexpr int count = 200;
+    for (int i = 0; i <= count; ++i) {
+        const double s = pi * i / count;
+        points.emplace_back(i == 0 || i == count ? 0.0 : 2.0 * std::sin(s), -std::cos(s));
+    }
+    const Profile table = sample::polygon(points);
+    const Profile spheroid = sample::spheroid(2.0, 1.0);
+    for (std::size_t k = 0; k < count; ++k)
+        for (const double t : {0.5, 0.9}) {
+            const double exact = mean_curvature(spheroid, 0, (static_cast<double>(k) + t) / count);
+            const double tolerance = k == 0 || k + 1 == count ? 0.05 : 0.02;
+            EXPECT_NEAR(mean_curvature(table, k, t), exact, tolerance * exact) << k << " " << t;
+        }
+}
+
 TEST(Curvature, EdgesAreClamped) {
     const Profile cylinder = sample::cylinder(1.0, 2.0);
     const double d = diameter(cylinder);
