@@ -8,6 +8,7 @@
 #include "formats/template_layout.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace dem {
 
@@ -16,9 +17,11 @@ namespace {
 /// Turns verified tables into our structs, whose arrays point into the buffer.
 class Decoder {
   public:
-    explicit Decoder(std::shared_ptr<const void> owner) : owner_(std::move(owner)) {}
+    /// `where` names the shape in messages.
+    Decoder(std::shared_ptr<const void> owner, const std::string& where)
+        : owner_(std::move(owner)), where_(where) {}
 
-    ParticleTemplate decode(const schema::Shape& shape, const std::string& where) const {
+    ParticleTemplate decode(const schema::Shape& shape) const {
         ParticleTemplate result;
         result.name = shape.name()->str();
         result.mass_properties = decode(*shape.mass_properties());
@@ -30,13 +33,13 @@ class Decoder {
                                    array<std::array<std::uint32_t, 3>>(mesh->triangles()),
                                    mesh->max_deviation()};
         }
-        result.certificate = certificate(shape, where);
+        result.certificate = certificate(shape);
         if (const schema::SphereShape* sphere = shape.data_as_SphereShape()) {
             result.shape = Sphere{sphere->radius()};
         } else if (const schema::SrShape* sr = shape.data_as_SrShape()) {
             result.shape = decode(*sr);
         } else {
-            throw Error(where,
+            throw Error(where_,
                         "is of a kind that this program does not know, expected sphere or "
                         "sr; make the template again or update the program");
         }
@@ -48,6 +51,12 @@ class Decoder {
     SharedArray<Used> array(const flatbuffers::Vector<Stored>* values) const {
         using Element = std::remove_const_t<std::remove_pointer_t<Stored>>;
         static_assert(layout::agree<Element, Used>);
+        if (values->size() == 0) return {};
+        // The verifier aligns the length of a vector, not its elements.
+        if (reinterpret_cast<std::uintptr_t>(values->Data()) % alignof(Used) != 0) {
+            throw Error(where_,
+                        "is damaged: an array lies at an odd place; make the template again");
+        }
         return {owner_, std::span(reinterpret_cast<const Used*>(values->Data()), values->size())};
     }
 
@@ -59,18 +68,20 @@ class Decoder {
                 vector(m.principal_moments_per_density())};
     }
 
-    static Certificate certificate(const schema::Shape& shape, const std::string& where) {
+    Certificate certificate(const schema::Shape& shape) const {
         Certificate result;
-        const auto* names = shape.certificate_names();
-        const auto* values = shape.certificate_values();
-        const std::size_t count = names == nullptr ? 0 : names->size();
-        if (count != (values == nullptr ? 0 : values->size())) {
-            throw Error(where,
-                        "the certificate's names and values differ in number; make the "
-                        "template again");
+        if (shape.certificate_names() == nullptr && shape.certificate_values() == nullptr) {
+            return result;
         }
-        for (flatbuffers::uoffset_t i = 0; i < count; ++i) {
-            result.emplace_back(names->Get(i)->str(), values->Get(i));
+        if (shape.certificate_names() == nullptr || shape.certificate_values() == nullptr ||
+            shape.certificate_names()->size() != shape.certificate_values()->size()) {
+            throw Error(where_,
+                        "the certificate's names and values differ in number; make the template "
+                        "again");
+        }
+        const SharedArray<double> values = array<double>(shape.certificate_values());
+        for (flatbuffers::uoffset_t i = 0; i < values.size(); ++i) {
+            result.emplace_back(shape.certificate_names()->Get(i)->str(), values[i]);
         }
         return result;
     }
@@ -119,6 +130,7 @@ class Decoder {
     }
 
     std::shared_ptr<const void> owner_;
+    const std::string& where_;
 };
 
 /// The root table, once every offset and length in the payload is known to stay inside it.
@@ -137,8 +149,8 @@ const schema::TemplateFile& verified_root(std::span<const std::byte> payload,
 
 }  // namespace
 
-TemplateFile read_template(std::shared_ptr<const void> owner, std::span<const std::byte> bytes,
-                           const std::string& where) {
+TemplateFile read_template(const std::shared_ptr<const void>& owner,
+                           std::span<const std::byte> bytes, const std::string& where) {
     const schema::TemplateFile& root = verified_root(template_payload(bytes, where), where);
     if (root.shapes()->size() == 0) {
         throw Error(where, "holds no shape, expected at least one; make it again");
@@ -148,10 +160,9 @@ TemplateFile read_template(std::shared_ptr<const void> owner, std::span<const st
     result.input_hash = root.input_hash();
     result.shapegen_version = root.shapegen_version()->str();
     result.shapes.reserve(root.shapes()->size());
-    const Decoder decoder(std::move(owner));
     for (const schema::Shape* shape : *root.shapes()) {
         const std::string place = shape_place(where, result.shapes.size(), shape->name()->str());
-        result.shapes.push_back(decoder.decode(*shape, place));
+        result.shapes.push_back(Decoder(owner, place).decode(*shape));
         check_template(result.shapes.back(), place);
     }
     return result;

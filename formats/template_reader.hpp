@@ -19,7 +19,7 @@ TemplateFile read_template(const std::filesystem::path& path);
 
 /// The same for bytes in memory, aligned to 8; the arrays share `owner`. `where` names them in
 /// messages.
-TemplateFile read_template(std::shared_ptr<const void> owner, std::span<const std::byte> bytes,
-                           const std::string& where);
+TemplateFile read_template(const std::shared_ptr<const void>& owner,
+                           std::span<const std::byte> bytes, const std::string& where);
 
 }  // namespace dem

@@ -5,6 +5,8 @@
 #include "tests/formats/sample_template.hpp"
 #include "tests/formats/temporary_folder.hpp"
 
+#include <algorithm>
+
 #include <sys/stat.h>
 
 namespace dem {
@@ -12,7 +14,7 @@ namespace {
 
 template <class T>
 bool same_bytes(const SharedArray<T>& a, const SharedArray<T>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+    return std::ranges::equal(std::as_bytes(a.span()), std::as_bytes(b.span()));
 }
 
 void expect_same(const ParticleTemplate& a, const ParticleTemplate& b) {

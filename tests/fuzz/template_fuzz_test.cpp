@@ -21,6 +21,8 @@ bool is_accepted(std::span<const std::byte> bytes) {
         for (const ParticleTemplate& t : file.shapes) {
             for (const Vec3& v : t.display_mesh.vertices) hash.add(std::span(v.data(), 3));
             if (const auto* sr = std::get_if<SrShape>(&t.shape)) {
+                EXPECT_EQ(reinterpret_cast<std::uintptr_t>(sr->sdf.values.data()) % 8, 0U);
+                EXPECT_EQ(reinterpret_cast<std::uintptr_t>(sr->nodes.nodes.data()) % 8, 0U);
                 hash.add(sr->support.pieces.span());
                 hash.add(sr->sdf.values.span());
                 hash.add(sr->curvature.span());
@@ -89,7 +91,7 @@ TEST(TemplateFuzz, AMutatedPayloadUnderARightChecksumNeverLeavesTheBuffer) {
                 case 1:
                     bytes[at] = static_cast<std::byte>(0xff);
                     break;
-                case 2: {  // an offset or a length that is out by a little
+                case 2: {  // an offset or a length out by a little: misplaced, misaligned, too long
                     const std::size_t word = at & ~std::size_t{3};
                     std::uint32_t value = 0;
                     if (word + 4 > bytes.size()) break;
