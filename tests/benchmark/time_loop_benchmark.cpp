@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/error.hpp"
+#include "common/random.hpp"
+#include "runtime/simulation.hpp"
+#include "tests/runtime/simulation/scenes.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+
+#include <omp.h>
+
+// Cost of the time loop on settled beds with fixed counts:
+//
+//     time_loop_benchmark spheres|candies|candies_nodes [count [threads [steps [skin in mm]]]]
+//
+// A bed first settles with a large time step, then the loop is timed with the one of the scene. The
+// hash proves that a faster version still computes the same. The cost of one core is in cpu_us; the
+// wall time says as much only on an idle machine.
+
+namespace dem {
+namespace {
+
+struct Settings {
+    std::string scene;
+    std::uint32_t count;
+    int threads = 1;
+    int steps = 0;
+    double skin = 0.0;  // [m]
+};
+
+struct Bed {
+    Scene scene;
+    double settling_dt;  // [s]
+    int settling_steps;
+    double dt;  // of the measurement [s]
+};
+
+// Spheres in a cube; a loose shaken lattice that falls together.
+Bed sphere_bed(const Settings& s) {
+    constexpr double radius = 2.5e-3;
+    Scene scene = scenes::one_material({5e6, 2500.0, 0.5, 0.5});
+    scenes::add_kind(scene, scenes::sphere(radius));
+    const auto edge = static_cast<std::uint32_t>(std::ceil(std::cbrt(s.count)));
+    const double cell = 2.1 * radius;
+    std::vector<BodyPlacement> bodies;
+    for (std::uint32_t n = 0; n < s.count; ++n) {
+        Random random(1, n);
+        const Vec3 site(n % edge, n / edge % edge, n / (edge * edge));
+        BodyPlacement body;
+        body.position = cell * (site + Vec3::Constant(0.5)) + 0.04 * radius * random.direction();
+        body.velocity = 0.3 * random.direction() - Vec3(0.0, 0.0, 0.5);
+        bodies.push_back(body);
+    }
+    scene.insertions.push_back(scenes::placed(bodies));
+    const double width = cell * edge;
+    scenes::add_box(scene, Vec3::Zero(), {width, width, 2.0 * width});
+    return {std::move(scene), 1.5e-5, 4000, 1.5e-5};
+}
+
+// 250 candies as in the packing of [SR] Sec. 3.3, or any number in a vessel as deep.
+Bed candy_bed(const Settings& s, ContactLaw::Method method) {
+    ContactLaw options;
+    options.method = method;
+    Scene scene = scenes::one_material({5e7, 1377.0, 0.5, 0.3, options});
+    scenes::add_kind(scene, scenes::candy());
+    const double radius = 25.4e-3 * std::sqrt(s.count / 250.0);
+    std::vector<BodyPlacement> bodies = scenes::column(s.count, 1, radius, 13.3e-3);
+    for (BodyPlacement& body : bodies) body.velocity.z() = -1.0;
+    scene.insertions.push_back(scenes::placed(bodies));
+    scenes::add_vessel(scene, radius);
+    return {std::move(scene), 5e-6, 100000, 5e-7};
+}
+
+Bed make_bed(const Settings& s) {
+    if (s.scene == "spheres") return sphere_bed(s);
+    if (s.scene == "candies") return candy_bed(s, ContactLaw::Method::continuous);
+    if (s.scene == "candies_nodes") return candy_bed(s, ContactLaw::Method::nodes);
+    throw UsageError("unknown scene '" + s.scene + "', expected spheres, candies or candies_nodes");
+}
+
+// The scene with its bodies where they are now.
+Scene restarted(const Simulation& simulation) {
+    Scene scene = simulation.scene();
+    const Particles& p = simulation.particles();
+    std::vector<BodyPlacement> bodies;
+    for (std::uint32_t i = 0; i < p.size(); ++i) {
+        bodies.push_back({.position = p.position[i],
+                          .orientation = p.orientation[i],
+                          .velocity = p.velocity[i],
+                          .angular_velocity = p.angular_velocity[i],
+                          .kind = p.kind[i]});
+    }
+    scene.insertions = {scenes::placed(std::move(bodies))};
+    return scene;
+}
+
+void measure(const Settings& s) {
+    omp_set_num_threads(s.threads);
+    Bed bed = make_bed(s);
+    if (s.skin > 0.0) bed.scene.run.skin = s.skin;
+    Simulation settling(bed.scene, bed.settling_dt);
+    for (int n = 0; n < bed.settling_steps; ++n) settling.step();
+    Simulation simulation(restarted(settling), bed.dt);
+    const int steps = s.steps > 0 ? s.steps : std::max(200, static_cast<int>(8e6 / s.count));
+    for (int n = 0; n < steps / 4; ++n) simulation.step();
+
+    const std::uint64_t rebuilds = simulation.lists().rebuilds;
+    const std::clock_t cpu_start = std::clock();
+    const auto start = std::chrono::steady_clock::now();
+    for (int n = 0; n < steps; ++n) simulation.step();
+    const std::chrono::duration<double, std::micro> elapsed =
+        std::chrono::steady_clock::now() - start;
+    const double cpu = 1e6 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+
+    const auto& touching = simulation.lists().touching;
+    const double count = simulation.particles().size();
+    const auto contacts =
+        static_cast<double>(std::count(touching.begin(), touching.end(), std::uint8_t{1}));
+    std::printf(
+        "scene,particles,threads,steps,us_per_particle_step,cpu_us,candidates,contacts,"
+        "rebuilds,state_hash\n");
+    std::printf("%s,%u,%d,%d,%.4f,%.4f,%.2f,%.2f,%" PRIu64 ",%016" PRIx64 "\n", s.scene.c_str(),
+                simulation.particles().size(), s.threads, steps, elapsed.count() / count / steps,
+                cpu / count / steps, static_cast<double>(touching.size()) / count, contacts / count,
+                simulation.lists().rebuilds - rebuilds, simulation.state_hash());
+}
+
+Settings settings(int argc, char** argv) {
+    if (argc < 2) throw UsageError("no scene given, expected spheres, candies or candies_nodes");
+    Settings s{argv[1], std::string(argv[1]) == "spheres" ? 32000U : 250U};
+    if (argc > 2) s.count = static_cast<std::uint32_t>(std::atoi(argv[2]));
+    if (argc > 3) s.threads = std::atoi(argv[3]);
+    if (argc > 4) s.steps = std::atoi(argv[4]);
+    if (argc > 5) s.skin = 1e-3 * std::atof(argv[5]);
+    return s;
+}
+
+}  // namespace
+}  // namespace dem
+
+int main(int argc, char** argv) {
+    try {
+        dem::measure(dem::settings(argc, argv));
+    } catch (const dem::UsageError& error) {
+        std::fprintf(stderr, "time_loop_benchmark: error: %s\n", error.what());
+        return 2;
+    } catch (const dem::Error& error) {
+        std::fprintf(stderr, "time_loop_benchmark: error: %s\n", error.what());
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/random.hpp"
+#include "runtime/simulation.hpp"
+#include "tests/runtime/simulation/scenes.hpp"
+
+#include <functional>
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+// The promise of docs/time-loop.md: the state after any number of steps has the same bits for any
+// number of threads and any skin.
+
+namespace dem {
+namespace {
+
+struct NamedScene {
+    const char* name;
+    std::function<Scene()> make;
+    double dt;
+    int steps;
+};
+
+std::ostream& operator<<(std::ostream& out, const NamedScene& scene) {
+    return out << scene.name;
+}
+
+// Polydisperse spheres with friction fall into a box whose floor shakes.
+Scene polydisperse_spheres() {
+    Scene scene = scenes::one_material({1e8, 2000.0, 0.5, 0.4});
+    for (const double radius : {1e-3, 2e-3, 5e-3}) scenes::add_kind(scene, scenes::sphere(radius));
+    std::vector<BodyPlacement> bodies;
+    for (std::uint32_t n = 0; n < 700; ++n) {
+        Random random(3, n);
+        BodyPlacement body;
+        body.kind = n % 50 == 0 ? 2 : n % 5 == 0 ? 1 : 0;
+        const double cell = body.kind == 2 ? 10.2e-3 : 5e-3;
+        body.position = {cell * (n % 6) + 3e-3, cell * (n / 6 % 6) + 3e-3, cell * (n / 36) + 6e-3};
+        if (body.kind == 2)
+            body.position = {8e-3 + 11e-3 * (n % 100 == 0 ? 0 : 1), 12e-3, 0.12 + 12e-3 * n / 50};
+        body.position += 2e-4 * random.direction();
+        body.velocity = 0.5 * random.direction() - Vec3(0.0, 0.0, 1.0);
+        body.angular_velocity = 50.0 * random.direction();
+        bodies.push_back(body);
+    }
+    scene.insertions.push_back(scenes::placed(bodies));
+    scenes::add_box(scene, {-1e-3, -1e-3, 0.0}, {34e-3, 34e-3, 0.5});
+    WallMotion& shake = scene.walls[4].motion;
+    shake.kind = WallMotion::Kind::oscillate;
+    shake.axis = Vec3::UnitZ();
+    shake.amplitude = 1e-3;
+    shake.frequency = 40.0;
+    return scene;
+}
+
+// Equal spheres poured in batches into a vessel that turns.
+Scene batches_into_a_turning_vessel() {
+    Scene scene = scenes::one_material({1e8, 2000.0, 0.5, 0.4});
+    scenes::add_kind(scene, scenes::sphere(2e-3));
+    InsertionGroup group;
+    group.name = "pour";
+    group.where = "test.ini:1";
+    group.mode = InsertionGroup::Mode::batches;
+    group.kinds = {0};
+    group.count = 300;
+    group.batch = 60;
+    group.every = 0.006;
+    group.region = CylinderRegion{{0.0, 0.0, 0.02}, {0.0, 0.0, 0.05}, 14e-3};
+    group.velocity = {0.0, 0.0, -1.5};
+    scene.insertions.push_back(group);
+    scenes::add_vessel(scene, 15e-3);
+    for (Wall& wall : scene.walls) {
+        wall.motion.kind = WallMotion::Kind::rotate;
+        wall.motion.axis = Vec3(0.1, 0.0, 1.0).normalized();
+        wall.motion.rate = 20.0;
+        wall.motion.from = 0.015;
+    }
+    return scene;
+}
+
+// Candies, peanuts and spheres fall into a vessel that turns: every pair of kinds.
+Scene mixture(ContactLaw::Method method) {
+    ContactLaw options;
+    options.method = method;
+    Scene scene = scenes::one_material({2e7, 1400.0, 0.5, 0.3, options});
+    static const ParticleTemplate candy = scenes::candy(600);  // slow to make
+    static const ParticleTemplate peanut = scenes::peanut(600);
+    scenes::add_kind(scene, candy);
+    scenes::add_kind(scene, peanut);
+    scenes::add_kind(scene, scenes::sphere(5e-3));
+    std::vector<BodyPlacement> bodies = scenes::column(60, 3, 25e-3, 13.5e-3);
+    for (BodyPlacement& body : bodies) body.velocity = {0.3, 0.2, -1.5};
+    scene.insertions.push_back(scenes::placed(bodies));
+    scenes::add_vessel(scene, 25e-3);
+    for (Wall& wall : scene.walls) {
+        wall.motion.kind = WallMotion::Kind::rotate;
+        wall.motion.rate = 15.0;
+        wall.motion.from = 0.005;
+    }
+    return scene;
+}
+Scene continuous_mixture() {
+    return mixture(ContactLaw::Method::continuous);
+}
+Scene node_mixture() {
+    return mixture(ContactLaw::Method::nodes);
+}
+
+class SameBits : public testing::TestWithParam<NamedScene> {
+  protected:
+    void TearDown() override { omp_set_num_threads(threads_before_); }
+
+    static std::vector<std::uint64_t> hashes(Scene scene, int threads) {
+        omp_set_num_threads(threads);
+        Simulation simulation(std::move(scene), GetParam().dt);
+        std::vector<std::uint64_t> result;
+        for (int step = 1; step <= GetParam().steps; ++step) {
+            simulation.step();
+            if (step % 100 == 0) result.push_back(simulation.state_hash());
+        }
+        EXPECT_GT(simulation.lists().rebuilds, 2U);
+        EXPECT_GT(simulation.largest_overlap().relative, 0.0);
+        return result;
+    }
+
+  private:
+    int threads_before_ = omp_get_max_threads();
+};
+
+TEST_P(SameBits, ForAnyNumberOfThreads) {
+    const auto expected = hashes(GetParam().make(), 1);
+    for (const int threads : {2, 3, 8}) {
+        EXPECT_EQ(hashes(GetParam().make(), threads), expected) << threads << " threads";
+    }
+}
+
+TEST_P(SameBits, ForAnySkin) {
+    const auto expected = hashes(GetParam().make(), 2);
+    for (const double skin : {0.02e-3, 0.2e-3, 1e-3}) {
+        Scene scene = GetParam().make();
+        scene.run.skin = skin;
+        EXPECT_EQ(hashes(std::move(scene), 2), expected) << "skin " << skin;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, SameBits,
+    testing::Values(NamedScene{"polydisperse_spheres", polydisperse_spheres, 4e-6, 2000},
+                    NamedScene{"batches", batches_into_a_turning_vessel, 6e-6, 4000},
+                    NamedScene{"continuous", continuous_mixture, 1e-5, 3000},
+                    NamedScene{"nodes", node_mixture, 1e-5, 3000}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace dem
