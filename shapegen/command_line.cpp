@@ -28,12 +28,12 @@ po::options_description cook_options() {
                           "the template to write; default: INPUT's name with .tpl, here")(
         "sr", "as a surface of revolution: the default for a profile")(
         "sphere", "as an exact sphere; the profile must be one")(
-        "nodes", po::value<std::uint32_t>()->default_value(2000)->value_name("N"), "surface nodes")(
-        "base-cells", po::value<std::uint32_t>()->default_value(50)->value_name("N"),
+        "nodes", po::value<std::int64_t>()->default_value(2000)->value_name("N"), "surface nodes")(
+        "base-cells", po::value<std::int64_t>()->default_value(50)->value_name("N"),
         "distance-field cells per major axis: everywhere")(
-        "interface-cells", po::value<std::uint32_t>()->default_value(200)->value_name("N"),
+        "interface-cells", po::value<std::int64_t>()->default_value(200)->value_name("N"),
         "... near the surface; a power of two times the base cells")(
-        "corner-cells", po::value<std::uint32_t>()->default_value(800)->value_name("N"),
+        "corner-cells", po::value<std::int64_t>()->default_value(800)->value_name("N"),
         "... at sharp edges; a power of two times the interface cells")("quiet,q",
                                                                         "print nothing but errors");
     return options;
@@ -125,21 +125,26 @@ std::string one_input(const po::variables_map& values, const std::string& expect
     return found.front();
 }
 
+std::uint32_t number(const po::variables_map& values, const std::string& option,
+                     std::uint32_t least, std::uint32_t most) {
+    const auto found = values[option].as<std::int64_t>();
+    if (found < least || found > most) {
+        throw UsageError("--" + option, "found " + std::to_string(found) + ", expected " +
+                                            std::to_string(least) + " to " + std::to_string(most));
+    }
+    return static_cast<std::uint32_t>(found);
+}
+
 CookOptions read_options(const po::variables_map& values) {
     CookOptions options;
     if (values.count("sr") != 0 && values.count("sphere") != 0) {
         throw UsageError("command line", "found --sr and --sphere, expected one of them");
     }
     options.kind = values.count("sphere") != 0 ? CookOptions::Kind::sphere : CookOptions::Kind::sr;
-    options.nodes = values["nodes"].as<std::uint32_t>();
-    if (options.nodes < fewest_nodes || options.nodes > most_nodes) {
-        throw UsageError("--nodes", "found " + std::to_string(options.nodes) + ", expected " +
-                                        std::to_string(fewest_nodes) + " to " +
-                                        std::to_string(most_nodes));
-    }
-    options.resolution = {values["base-cells"].as<std::uint32_t>(),
-                          values["interface-cells"].as<std::uint32_t>(),
-                          values["corner-cells"].as<std::uint32_t>()};
+    options.nodes = number(values, "nodes", fewest_nodes, most_nodes);
+    options.resolution = {number(values, "base-cells", fewest_base_cells, most_cells),
+                          number(values, "interface-cells", fewest_base_cells, most_cells),
+                          number(values, "corner-cells", fewest_base_cells, most_cells)};
     check_resolution(options.resolution);
     return options;
 }

@@ -117,7 +117,7 @@ class Plot {
         row[1] += 20;
         page_.line(row, row + Vec2(22, 0), curve_);
         page_.text(row + Vec2(30, 4),
-                   "sharp edges reach beyond the frame; stored as H = " +
+                   "edges reach beyond the frame, up to H = " +
                        short_number(highest_ * unit_.meters, 3) + " 1/" + unit_.name,
                    13);
     }

@@ -12,7 +12,7 @@ namespace dem {
 
 namespace {
 
-constexpr double band_depth = 0.05;    // of interface cells inwards, in l: the largest overlap
+constexpr double band_depth = 0.058;   // of interface cells inwards, in l: the largest overlap
 constexpr double corner_reach = 0.01;  // of corner cells, in l
 
 /// Level of `cells` below `base`, both per l.
@@ -170,13 +170,6 @@ void check_ratio(const std::string& option, std::uint32_t fine, std::uint32_t co
 }  // namespace
 
 void check_resolution(const SdfResolution& resolution) {
-    constexpr std::uint32_t most = 6400;  // values stay addressable by 32 bits with room to spare
-    if (resolution.base < 10 || resolution.corner > most) {
-        throw UsageError("--base-cells and --corner-cells",
-                         "found " + std::to_string(resolution.base) + " and " +
-                             std::to_string(resolution.corner) + ", expected 10 to " +
-                             std::to_string(most));
-    }
     check_ratio("--interface-cells", resolution.interface, resolution.base, "--base-cells");
     check_ratio("--corner-cells", resolution.corner, resolution.interface, "--interface-cells");
 }

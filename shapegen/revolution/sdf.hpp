@@ -16,13 +16,19 @@ struct SdfResolution {
     std::uint32_t corner = 800;
 };
 
+/// Bounds of the cells per l: below, the band about the surface would be the whole body; above, the
+/// values would no longer fit into the 32 bits that address them.
+inline constexpr std::uint32_t fewest_base_cells = 10;
+inline constexpr std::uint32_t most_cells = 6400;
+
 /// Throws UsageError unless base <= interface <= corner with ratios that are powers of two.
 void check_resolution(const SdfResolution& resolution);
 
 /// The exact signed distance of the half cross-section at the grid points of a two-level grid.
-/// Interface cells reach 0.05 l inwards, where the nodes of a partner can be (a run stops at an
-/// overlap of 10 % of the radius, and no radius exceeds l/2), and one interface cell outwards; at
-/// either end one cell more, because the values beside a seam are those of the coarser side. Corner
+/// Interface cells reach 0.058 l inwards, where the nodes of a partner can be: a run stops at an
+/// overlap of 10 % of the radius of equal volume, which is largest for a cylinder as high as wide,
+/// 0.572 l. They reach one interface cell outwards, and one more at either end because the values
+/// beside a seam are those of the coarser side. Corner
 /// cells are the base cells within 0.01 l of a corner. At least one base cell of margin surrounds
 /// the cross-section, and at least `least_margin` [m]. Measured in docs/decisions/sdf-quadtree.md.
 /// The slacks are left at zero: they come from sdf_error.

@@ -120,7 +120,8 @@ TEST_F(ShapegenCli, GivesTheSameBytesTwiceAndForAnyNumberOfThreads) {
 TEST_F(ShapegenCli, ReportsWhatItCooked) {
     const Result result = run(profiles + "tablet.profile -o a.tpl --nodes 500");
     EXPECT_EQ(result.code, 0) << result.err;
-    for (const char* word : {"tablet", "convex", "5.3110417e-07", "500", "sdf_error_mean", "a.tpl"}) {
+    for (const char* word :
+         {"tablet", "convex", "5.3110417e-07", "500", "sdf_error_mean", "a.tpl"}) {
         EXPECT_NE(result.out.find(word), std::string::npos) << word << " in\n" << result.out;
     }
 }
@@ -170,7 +171,8 @@ TEST_F(ShapegenCli, RefusesAWrongCommandLineWithCodeTwo) {
     expect_failure(run("a.profile --node 10"), 2, "did you mean '--nodes'?");
     expect_failure(run("a.profile b.profile"), 2, "second input 'b.profile'");
     expect_failure(run("a.profile --nodes many"), 2, "many");
-    expect_failure(run("a.profile --nodes -5"), 2, "--nodes");
+    expect_failure(run("a.profile --nodes -5"), 2, "--nodes: found -5, expected 100 to");
+    expect_failure(run("a.profile --base-cells 0"), 2, "found 0");
     expect_failure(run("a.profile --nodes 5"), 2, "expected 100 to");
     expect_failure(run("a.profile --interface-cells 150"), 2, "power of two");
     expect_failure(run("a.profile --sr --sphere"), 2, "one of them");
@@ -185,6 +187,13 @@ TEST_F(ShapegenCli, NamesAFileThatIsMissingOrOfTheWrongKind) {
     expect_failure(run("inspect rubbish.tpl"), 1, "rubbish.tpl");
     write("bunny.stl", "solid bunny");
     expect_failure(run("bunny.stl"), 1, "cooks profiles only");
+}
+
+TEST_F(ShapegenCli, NeverOverwritesItsInput) {
+    write("ball.profile", "units = mm\nshape = sphere\nradius = 2\n");
+    const std::string before = content(folder_ / "ball.profile");
+    expect_failure(run("ball.profile -o ./ball.profile"), 2, "the input itself");
+    EXPECT_EQ(content(folder_ / "ball.profile"), before);
 }
 
 TEST_F(ShapegenCli, LeavesNothingBehindWhenTheOutputCannotBeWritten) {
