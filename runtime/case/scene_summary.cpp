@@ -124,7 +124,7 @@ std::string check_scene(const Scene& scene) {
     const int threads = scene.run.threads > 0 ? scene.run.threads : omp_get_num_procs();
     const double work = particle_time / step.value * seconds_per_particle_step;
     out << "steps: " << std::fixed << std::setprecision(0)
-        << std::ceil(scene.run.end_time / step.value) << " to " << std::defaultfloat
+        << std::ceil(scene.run.end_time / step.value - 1e-6) << " to " << std::defaultfloat
         << std::setprecision(4) << scene.run.end_time << " s\n"
         << "estimate: about " << format_duration(work / threads) << " on " << threads
         << (threads == 1 ? " thread" : " threads") << ", at 1 us per particle and step\n";

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/insertion/inserter.hpp"
 
+#include "common/random.hpp"
+#include "runtime/contact/touch.hpp"
 #include "tests/runtime/case/case_text.hpp"
+#include "tests/runtime/contact/convex_shapes.hpp"
 
 #include <cstdio>
 #include <fstream>
@@ -133,6 +136,56 @@ TEST(InsertLattice, AHundredThousandSpheresAreNoTrouble) {
                                  "particles.balls.count=100000", "particles.balls.radius=0.25 mm",
                                  "particles.balls.region=box -17 -17 0 17 17 60 mm");
     EXPECT_EQ(inserted(scene).size(), 100000U);
+}
+
+/// The case with a flat body instead of the sphere.
+template <class... Overrides>
+Scene tablet_scene(const Overrides&... overrides) {
+    Scene scene = scene_of(sphere_case(), overrides...);
+    const test::SolidBody tablet = test::tablet();
+    scene.shapes[0].shape = tablet.shape;
+    scene.shapes[0].bounding_radius = tablet.shape.bounding_radius;
+    return scene;
+}
+
+TEST(InsertTablets, NoTwoTouchAndNoneStandsOutOfItsRegion) {
+    const Scene scene = tablet_scene("particles.balls.count=60");
+    const Particles particles = inserted(scene);
+    ASSERT_EQ(particles.size(), 60U);
+    const ParticleTemplate& tablet = scene.shapes[0];
+    Random random(5, 0);
+    for (std::uint32_t i = 0; i < particles.size(); ++i) {
+        const Quat& q = particles.orientation[i];
+        const Vec3& p = particles.position[i];
+        for (std::uint32_t j = i + 1; j < particles.size(); ++j) {
+            PairState pair;
+            pair.displacement = particles.position[j] - p;
+            pair.i.orientation = q;
+            pair.j.orientation = particles.orientation[j];
+            EXPECT_FALSE(touches(tablet, tablet, pair)) << i << " " << j;
+        }
+        EXPECT_LE(p.z() + extent(tablet, q, Vec3::UnitZ()), 0.1 + 1e-12);
+        EXPECT_GE(p.z() - extent(tablet, q, -Vec3::UnitZ()), 0.01 - 1e-12);
+        for (int k = 0; k < 200; ++k) {  // a convex body is within a cylinder if its supports are
+            const double phi = random.uniform(0.0, 2.0 * pi);
+            const Vec3 e(std::cos(phi), std::sin(phi), 0.0);
+            EXPECT_LE(p.dot(e) + extent(tablet, q, e), 25e-3 + 1e-9);
+        }
+    }
+}
+
+TEST(InsertTablets, ALatticeOfGivenOrientationIsAsCloseAsTheShapeAllows) {
+    // 11.35 x 11.35 x 6.46 mm lying: 4 x 4 x 7 in a box that holds 4 x 4 x 4 turned any way.
+    const auto lattice = [](const char* orientation, const char* count) {
+        return tablet_scene("particles.balls.insert=lattice", "wall.vessel.radius=100 mm",
+                            "particles.balls.region=box -23 -23 10 23 23 56 mm",
+                            std::string("particles.balls.orientation=") + orientation,
+                            std::string("particles.balls.count=") + count);
+    };
+    EXPECT_EQ(insertion_message(lattice("1 0 0 0", "112")), "fine");
+    EXPECT_NE(insertion_message(lattice("1 0 0 0", "113")), "fine");
+    EXPECT_NE(insertion_message(lattice("random", "112")), "fine");
+    EXPECT_EQ(inserted(lattice("random", "27")).size(), 27U);
 }
 
 class InsertBatches : public testing::Test {

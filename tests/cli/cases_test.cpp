@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The cases of data/cases and of the tutorial, as a user would cook and check them.
+#include "tests/cli/program.hpp"
+
+#include <gtest/gtest.h>
+
+namespace dem {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path fresh_folder(const std::string& name) {
+    fs::path folder = fs::path(testing::TempDir()) / name;
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    return folder;
+}
+
+/// Everything between ``` fences of the given language ("ini", "") in a page, joined.
+std::string code_blocks(const std::string& page, const std::string& language) {
+    std::ifstream stream(page);
+    std::string text;
+    bool inside = false;
+    bool wanted = false;
+    for (std::string line; std::getline(stream, line);) {
+        if (line.starts_with("```")) {
+            inside = !inside;
+            wanted = inside && line.substr(3) == language;
+        } else if (wanted) {
+            text += line + "\n";
+        }
+    }
+    return text;
+}
+
+class Case : public testing::TestWithParam<std::string> {
+  protected:
+    static void cook(const fs::path& folder, const std::string& name) {
+        const std::string profile = DEM_SOURCE_DIR "/data/profiles/" + name + ".profile";
+        const Outcome outcome = run_command(
+            program("shapegen") + " '" + profile + "' -o " + name + ".tpl --quiet", folder);
+        ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    }
+};
+
+TEST_P(Case, IsAcceptedWithTheShapesOfDataProfiles) {
+    const fs::path folder = fresh_folder("case_" + GetParam());
+    const fs::path cases = DEM_SOURCE_DIR "/data/cases";
+    const std::string text = content(cases / (GetParam() + ".ini"));
+    for (const auto& entry : fs::directory_iterator(cases)) {
+        fs::copy_file(entry.path(), folder / entry.path().filename());
+    }
+    for (const auto& entry : fs::directory_iterator(DEM_SOURCE_DIR "/data/profiles")) {
+        const std::string name = entry.path().stem().string();
+        if (text.find(name + ".tpl") != std::string::npos) cook(folder, name);
+    }
+    const Outcome outcome =
+        run_command(program("demrun") + " " + GetParam() + ".ini --check", folder);
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(outcome.output.find("AFTER end_time"), std::string::npos) << outcome.output;
+    fs::remove_all(folder);
+}
+
+INSTANTIATE_TEST_SUITE_P(Data, Case,
+                         testing::Values("chung_ooi_1", "chung_ooi_2", "chung_ooi_3", "demo",
+                                         "mixture", "packing_candies", "packing_tablets",
+                                         "rotating_drum", "spheroids", "tablet_wall"),
+                         [](const auto& tested) { return tested.param; });
+
+TEST(CasesFolder, EveryCaseIsTested) {
+    std::size_t cases = 0;
+    for (const auto& entry : fs::directory_iterator(DEM_SOURCE_DIR "/data/cases")) {
+        if (entry.path().extension() == ".ini") ++cases;
+    }
+    EXPECT_EQ(cases, 10U) << "add new cases to the list above";
+}
+
+TEST(Tutorial, WhatItSaysCooksAndChecks) {
+    const fs::path folder = fresh_folder("tutorial");
+    const std::string page = DEM_SOURCE_DIR "/docs/tutorials/first-packing.md";
+    const std::string drawing = code_blocks(page, "");
+    std::ofstream(folder / "my_tablet.profile") << drawing.substr(0, drawing.find("demrun: error"));
+    std::ofstream(folder / "pour.ini") << code_blocks(page, "ini");
+    const Outcome outcome = run_command(program("shapegen") + " my_tablet.profile --quiet && " +
+                                            program("demrun") + " pour.ini --check",
+                                        folder);
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_NE(outcome.output.find("tablets: 200 x "), std::string::npos) << outcome.output;
+    fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace dem
