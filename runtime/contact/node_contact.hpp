@@ -43,13 +43,14 @@ struct TouchingNodes {
 };
 
 /// Width of the shell in which nodes are listed [m]. Wider lists live longer but cost more each
-/// step; measured in docs/contact-nodes.md. Never beyond the band in which the other body's
-/// distance field is accurate.
+/// step; measured in docs/contact-nodes.md.
 inline double list_margin(const SrShape& shape) {
     return 0.0025 * shape.major_axis_length;
 }
+/// The same against a distance field: what its error may hide is added, never beyond the band in
+/// which that error is known.
 inline double list_margin(const SrShape& shape, const SrShape& other) {
-    const double margin = list_margin(shape);
+    const double margin = list_margin(shape) + 2.0 * other.sdf.surface_slack;
     return other.sdf.surface_band > 0.0 ? std::min(margin, other.sdf.surface_band) : margin;
 }
 
