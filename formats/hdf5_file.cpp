@@ -36,8 +36,8 @@ class Handle {
 };
 
 // Smaller tables gain less from compression than its index costs.
-constexpr std::size_t chunked_from = 16 * 1024;
-constexpr std::size_t chunk_bytes = 256 * 1024;
+constexpr std::size_t chunked_from = std::size_t{1} << 14;
+constexpr std::size_t chunk_bytes = std::size_t{1} << 18;
 constexpr unsigned deflate_level = 1;  // 4 takes twice as long and saves 1 % of doubles
 
 /// What the innermost failed call says, without the library's own way there: the system's message
@@ -104,7 +104,7 @@ Hdf5File::Hdf5File(const std::filesystem::path& path, Mode mode, std::uint64_t b
         if (file_ < 0) fail("create");
         close();
     }
-    reserve(path, bytes + bytes / 64 + 64 * 1024);
+    reserve(path, bytes + bytes / 64 + (std::uint64_t{1} << 16));
     file_ = H5Fopen(path.c_str(), H5F_ACC_RDWR, access);
     if (file_ < 0) fail("open");
 }
