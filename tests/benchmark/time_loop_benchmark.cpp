@@ -13,6 +13,7 @@
 #include <ctime>
 #include <string>
 
+#include <malloc.h>
 #include <omp.h>
 
 // Cost of the time loop on settled beds with fixed counts:
@@ -100,35 +101,57 @@ Scene restarted(const Simulation& simulation) {
     return scene;
 }
 
+// Per particle and step [us]: medians over blocks of steps, and the best block, which is the least
+// disturbed by other work on the machine.
+struct Cost {
+    double wall, cpu, best_cpu;
+};
+
+Cost cost_of(Simulation& simulation, int steps) {
+    constexpr int blocks = 20;
+    const int block_steps = std::max(1, steps / blocks);
+    const double particle_steps = static_cast<double>(simulation.particles().size()) * block_steps;
+    std::vector<double> wall, cpu;
+    for (int block = 0; block < blocks; ++block) {
+        const std::clock_t cpu_start = std::clock();
+        const auto start = std::chrono::steady_clock::now();
+        for (int n = 0; n < block_steps; ++n) simulation.step();
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        wall.push_back(1e6 * elapsed.count() / particle_steps);
+        cpu.push_back(1e6 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC /
+                      particle_steps);
+    }
+    std::sort(wall.begin(), wall.end());
+    std::sort(cpu.begin(), cpu.end());
+    return {wall[blocks / 2], cpu[blocks / 2], cpu[0]};
+}
+
 void measure(const Settings& s) {
     omp_set_num_threads(s.threads);
     Bed bed = make_bed(s);
     if (s.skin > 0.0) bed.scene.run.skin = s.skin;
     Simulation settling(bed.scene, bed.settling_dt);
     for (int n = 0; n < bed.settling_steps; ++n) settling.step();
+    const std::size_t heap_before = mallinfo2().uordblks;
     Simulation simulation(restarted(settling), bed.dt);
     const int steps = s.steps > 0 ? s.steps : std::max(200, static_cast<int>(8e6 / s.count));
     for (int n = 0; n < steps / 4; ++n) simulation.step();
 
     const std::uint64_t rebuilds = simulation.lists().rebuilds;
-    const std::clock_t cpu_start = std::clock();
-    const auto start = std::chrono::steady_clock::now();
-    for (int n = 0; n < steps; ++n) simulation.step();
-    const std::chrono::duration<double, std::micro> elapsed =
-        std::chrono::steady_clock::now() - start;
-    const double cpu = 1e6 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
-
+    const Cost cost = cost_of(simulation, steps);
+    const std::size_t heap = mallinfo2().uordblks - heap_before;
     const auto& touching = simulation.lists().touching;
     const double count = simulation.particles().size();
     const auto contacts =
         static_cast<double>(std::count(touching.begin(), touching.end(), std::uint8_t{1}));
     std::printf(
-        "scene,particles,threads,steps,us_per_particle_step,cpu_us,candidates,contacts,"
-        "rebuilds,state_hash\n");
-    std::printf("%s,%u,%d,%d,%.4f,%.4f,%.2f,%.2f,%" PRIu64 ",%016" PRIx64 "\n", s.scene.c_str(),
-                simulation.particles().size(), s.threads, steps, elapsed.count() / count / steps,
-                cpu / count / steps, static_cast<double>(touching.size()) / count, contacts / count,
-                simulation.lists().rebuilds - rebuilds, simulation.state_hash());
+        "scene,particles,threads,steps,us_per_particle_step,cpu_us,best_cpu_us,candidates,"
+        "contacts,rebuilds,bytes_per_particle,state_hash\n");
+    std::printf("%s,%u,%d,%d,%.4f,%.4f,%.4f,%.2f,%.2f,%" PRIu64 ",%.0f,%016" PRIx64 "\n",
+                s.scene.c_str(), simulation.particles().size(), s.threads, steps, cost.wall,
+                cost.cpu, cost.best_cpu, static_cast<double>(touching.size()) / count,
+                contacts / count, simulation.lists().rebuilds - rebuilds,
+                static_cast<double>(heap) / count, simulation.state_hash());
 }
 
 Settings settings(int argc, char** argv) {

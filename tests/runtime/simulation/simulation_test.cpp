@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/simulation.hpp"
+
+#include "common/error.hpp"
+#include "runtime/measure/at_rest.hpp"
+#include "runtime/measure/contact_count.hpp"
+#include "runtime/measure/energy.hpp"
+#include "runtime/measure/fill_height.hpp"
+#include "runtime/time_step.hpp"
+#include "tests/runtime/simulation/scenes.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace dem {
+namespace {
+
+constexpr double radius = 5e-3;
+
+Scene spheres_over_a_floor(std::vector<BodyPlacement> bodies) {
+    Scene scene = scenes::one_material({1e7, 2500.0, 0.5, 0.4});
+    scenes::add_kind(scene, scenes::sphere(radius));
+    scene.walls.push_back(scenes::plane(Vec3::Zero(), Vec3::UnitZ()));
+    scene.insertions.push_back(scenes::placed(std::move(bodies)));
+    return scene;
+}
+
+BodyPlacement at(double x, double y, double z) {
+    BodyPlacement body;
+    body.position = {x, y, z};
+    return body;
+}
+
+std::string error_of(Simulation& simulation, int steps) {
+    try {
+        for (int n = 0; n < steps; ++n) simulation.step();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Simulation, FreeFallIsExact) {
+    Simulation simulation(spheres_over_a_floor({at(0.0, 0.0, 1.0)}), 1e-4);
+    for (int n = 0; n < 1000; ++n) simulation.step();
+    EXPECT_NEAR(simulation.particles().position[0].z(), 1.0 - 0.5 * 9.81 * 0.01, 1e-13);
+    EXPECT_NEAR(simulation.particles().velocity[0].z(), -0.981, 1e-13);
+}
+
+TEST(Simulation, ARestingSphereCarriesItsWeight) {
+    Simulation simulation(spheres_over_a_floor({at(0.0, 0.0, 1.001 * radius)}), 2e-6);
+    for (int n = 0; n < 200000; ++n) simulation.step();
+    const double weight = simulation.scene().kinds[0].mass * 9.81;
+    EXPECT_NEAR(simulation.particles().force[0].z() / weight, 0.0, 1e-6);
+    ASSERT_EQ(contact_count(simulation), 1U);
+    EXPECT_EQ(coordination_numbers(simulation), (std::vector<std::uint32_t>{1}));
+}
+
+// Kinetic, potential, elastic and dissipated energy, less what moving walls did, stay what was
+// inserted: friction, damping, rolling, a tilted wall that moves, a second body.
+TEST(Simulation, EnergyLedgerClosesBetterWithSmallerSteps) {
+    const auto worst_residual = [](double dt) {
+        Scene scene =
+            spheres_over_a_floor({at(0.0, 0.0, 3.0 * radius), at(0.3 * radius, 0.0, 5.5 * radius)});
+        Wall paddle = scenes::plane({4.0 * radius, 0.0, 0.0}, Vec3(-1.0, 0.0, 0.3).normalized());
+        paddle.motion.kind = WallMotion::Kind::translate;
+        paddle.motion.velocity = {-0.4, 0.1, 0.0};
+        scene.walls.push_back(paddle);
+        Simulation simulation(std::move(scene), dt);
+        double worst = 0.0;
+        while (simulation.time() < 0.06) {
+            simulation.step();
+            worst = std::max(worst, std::abs(energies(simulation).residual()));
+        }
+        EXPECT_GT(energies(simulation).dissipated, 0.0);
+        EXPECT_NE(energies(simulation).wall_work, 0.0);
+        return worst / simulation.inserted_energy();
+    };
+    const double coarse = worst_residual(4e-6);
+    const double fine = worst_residual(1e-6);
+    EXPECT_LT(coarse, 5e-3);
+    EXPECT_LT(fine, 0.4 * coarse);
+}
+
+TEST(Simulation, ABodyThatLeavesIsNamedWithStepAndTime) {
+    Scene scene = spheres_over_a_floor({at(0.0, 0.0, 1.0)});
+    scene.run.domain = Aabb{Vec3(-1.0, -1.0, 0.9), Vec3(1.0, 1.0, 2.0)};
+    Simulation simulation(std::move(scene), 1e-3);
+    const std::string message = error_of(simulation, 1000);
+    EXPECT_NE(message.find("step 143, time 0.143 s: particle 0 has left the domain"),
+              std::string::npos)
+        << message;
+}
+
+TEST(Simulation, TooMuchOverlapIsNamedWithBothBodies) {
+    Simulation pair(spheres_over_a_floor({at(0.0, 0.0, 1.0), at(0.0, 1.8 * radius, 1.0)}), 1e-6);
+    EXPECT_NE(error_of(pair, 1).find("step 1, time 1e-06 s: particle 0 and particle 1 overlap by"),
+              std::string::npos);
+    Simulation wall(spheres_over_a_floor({at(0.0, 0.0, 0.8 * radius)}), 1e-6);
+    EXPECT_NE(error_of(wall, 1).find("particle 0 and wall 'plane' overlap by"), std::string::npos);
+}
+
+TEST(Simulation, ANumberThatIsNotOneIsFoundAtOnce) {
+    BodyPlacement body = at(0.0, 0.0, 1.0);
+    body.velocity.x() = std::numeric_limits<double>::quiet_NaN();
+    Simulation simulation(spheres_over_a_floor({body}), 1e-6);
+    EXPECT_NE(error_of(simulation, 1).find("step 1"), std::string::npos);
+}
+
+TEST(Simulation, FixedBodiesDoNotFallAndHoldOthers) {
+    Scene scene = spheres_over_a_floor({at(0.0, 0.0, 0.5), at(0.0, 0.0, 0.5 + 2.1 * radius)});
+    scene.kinds.push_back(scene.kinds[0]);
+    scene.kinds[1].inverse_inertia = {};
+    scene.insertions[0].placements[0].kind = 1;
+    scene.insertions[0].kinds = {0, 1};
+    Simulation simulation(std::move(scene), 5e-6);
+    for (int n = 0; n < 50000; ++n) simulation.step();
+    EXPECT_EQ(simulation.particles().position[0], Vec3(0.0, 0.0, 0.5));
+    EXPECT_NEAR(simulation.particles().position[1].z(), 0.5 + 2.0 * radius, 2e-5);
+}
+
+TEST(AtRest, IsReachedAfterTheLastBounceAndNotAtTheTopOfAFlight) {
+    Simulation simulation(spheres_over_a_floor({at(0.0, 0.0, 4.0 * radius)}), 5e-6);
+    AtRest at_rest(simulation.scene());
+    double last_touchdown = 0.0;
+    bool reached = false;
+    while (!reached && simulation.time() < 2.0) {
+        const bool touched = contact_count(simulation) > 0;
+        simulation.step();
+        if (!touched && contact_count(simulation) > 0) last_touchdown = simulation.time();
+        reached = at_rest.reached(simulation);
+    }
+    EXPECT_TRUE(reached);
+    EXPECT_GT(last_touchdown, 0.1);
+    EXPECT_GT(simulation.time(), last_touchdown);
+    EXPECT_LT(simulation.time(), 0.6);
+}
+
+TEST(FillHeight, OfSpheresOnAFloor) {
+    std::vector<BodyPlacement> bodies;
+    for (int n = 0; n < 12; ++n) bodies.push_back(at(0.0, 0.02 * n, radius + 1e-3 * n));
+    Simulation simulation(spheres_over_a_floor(bodies), 1e-6);
+    const FillHeight height = fill_height(simulation.particles(), simulation.scene());
+    EXPECT_DOUBLE_EQ(height.highest, 2.0 * radius + 11e-3);
+    EXPECT_NEAR(height.top_ten, 2.0 * radius + 6.5e-3, 1e-15);
+}
+
+TEST(TimeStep, IsAFractionOfTheRayleighTimeForSlowSpheres) {
+    Scene scene = spheres_over_a_floor({at(0.0, 0.0, radius)});
+    const double shear = 1e7 / 2.6;
+    const double expected = pi * radius / (0.8766 + 0.1631 * 0.3) * std::sqrt(2500.0 / shear);
+    EXPECT_NEAR(time_step(scene).rayleigh, expected, 1e-12 * expected);
+    EXPECT_DOUBLE_EQ(time_step(scene).value, time_step(scene).critical / 20.0);
+    // [SR] Eq. 23 in units of time: twice the size, twice the Hertz time.
+    scene.insertions[0].placements[0].velocity.x() = 100.0;
+    const double hertz = time_step(scene).hertz;
+    EXPECT_DOUBLE_EQ(time_step(scene).critical, std::min(hertz, expected));
+    Scene twice = spheres_over_a_floor({at(0.0, 0.0, radius)});
+    twice.insertions[0].placements[0].velocity.x() = 100.0;
+    twice.shapes[0] = scenes::sphere(2.0 * radius);
+    twice.kinds[0].mass *= 8.0;
+    EXPECT_NEAR(time_step(twice).hertz / hertz, 2.0, 1e-3);
+}
+
+TEST(TimeStep, AboveTheCriticalOneIsRefusedUnlessForced) {
+    Scene scene = spheres_over_a_floor({at(0.0, 0.0, radius)});
+    scene.run.time_step = 1.01 * time_step(scene).critical;
+    EXPECT_THROW(time_step(scene), Error);
+    scene.run.time_step_force = true;
+    EXPECT_EQ(time_step(scene).value, *scene.run.time_step);
+}
+
+}  // namespace
+}  // namespace dem
