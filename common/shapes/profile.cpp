@@ -71,7 +71,7 @@ bool Profile::contains(const Vec2& x) const {
 Vec2 Profile::pseudo_normal(const ProfilePoint& nearest) const {
     constexpr double at_end = 1e-12;
     const std::size_t k = nearest.segment;
-    const Vec2 normal = outward_normal(k, nearest.t);
+    Vec2 normal = outward_normal(k, nearest.t);
     const Vec2 mirrored(-normal.x(), normal.y());
     if (nearest.t <= at_end) return normal + (k == 0 ? mirrored : outward_normal(k - 1, 1.0));
     if (nearest.t >= 1.0 - at_end)
