@@ -37,6 +37,12 @@ def cook(profile, *options):
     return template
 
 
+def inspect(template):
+    """What `shapegen inspect --json` says of a template."""
+    return json.loads(subprocess.run([BIN / "shapegen", "inspect", template, "--json"], check=True,
+                                     capture_output=True, text=True).stdout)
+
+
 def hash_text(text):
     value = 0xCBF29CE484222325
     for byte in text.encode():
