@@ -59,7 +59,7 @@ def contact_of(kind):
     return {"sphere": "auto", "sr": "continuous", "sr nodes": "nodes"}[kind]
 
 
-def impact(kind, test, material, radius, speed, restitution=1.0, steps=2000):
+def impact(kind, test, material, radius, speed, restitution=1.0, steps=500):
     """Largest overlap [m], largest force [N], contact time [s], speed after / before."""
     _, modulus, ratio, density, *_ = material
     mass = density * 4 / 3 * np.pi * radius**3
@@ -74,7 +74,7 @@ def impact(kind, test, material, radius, speed, restitution=1.0, steps=2000):
     rows = ([{"x": -radius - 0.5 * gap, "vx": speed}, {"x": radius + 0.5 * gap, "vx": -speed}] if pair
             else [{"z": radius + gap, "vz": -speed}])
     run = Run(name, CASE.format(
-        end=4 * hertz, step=step, density=density, modulus=modulus, ratio=ratio, frame=step,
+        end=2 * hertz, step=step, density=density, modulus=modulus, ratio=ratio, frame=step if test < 3 else hertz,
         restitution=restitution, contact=contact_of(kind), template=sphere(radius, kind),
         bodies=write_bodies(name, rows), wall="" if pair else WALL))
     times, frames = run.frames()
@@ -82,6 +82,8 @@ def impact(kind, test, material, radius, speed, restitution=1.0, steps=2000):
     overlap = (2 * radius - (position[:, 1, 0] - position[:, 0, 0]) if pair
                else radius - position[:, 0, 2])
     v = velocity[:, 0, 0 if pair else 2]
+    if test == 3:
+        return None, None, None, abs(v[-1] / v[0])
     force = np.abs(np.gradient(v, times)) * mass
     inside = np.flatnonzero(overlap > 0)
     a, b = inside[0], inside[-1]
@@ -116,7 +118,7 @@ def main():
     page.text("""
 Test 1: two spheres of 10 mm radius meet at 10 m/s each. Test 2: a sphere of 100 mm radius falls on a rigid plane with 0.2 m/s.
 Both are elastic; the expected values are Hertz theory's as printed there. Test 3: a sphere of 2.5 mm radius hits a rigid
-plane with 3.9 m/s; the restitution found must be the one given. Time step: contact time / 2000.""")
+plane with 3.9 m/s; the restitution found must be the one given. Time step: contact time / 500.""")
     worst, worst_e, found = compare(page, "sphere")
     page.claim(f"tests 1-2 within 0.1 % of the printed values (worst {100 * worst:.4f} %)", worst < 1e-3)
     page.claim(f"test 3: restitution within 0.001 (worst {worst_e:.5f})", worst_e < 1e-3)
