@@ -105,6 +105,7 @@ struct OutputSettings {
     double frames_every = 0.0;   ///< [s]; 0: none but the first and the last
     double history_every = 0.0;  ///< [s]
     bool surfaces = false;
+    bool picture = true;
 };
 
 struct MeasureSettings {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/output/outputs.hpp"
 
+#include "common/atomic_file.hpp"
 #include "common/error.hpp"
 #include "formats/body_table.hpp"
 #include "formats/run_summary.hpp"
 #include "runtime/measure/contact_count.hpp"
 #include "runtime/measure/energy.hpp"
 #include "runtime/measure/measures.hpp"
+#include "runtime/output/picture.hpp"
 
 #include <numeric>
 #include <system_error>
@@ -26,7 +28,7 @@ std::filesystem::path made_directory(const Scene& scene) {
                                             (error ? ": " + error.message() : std::string()));
     }
     // What an earlier run ended with would be taken for the end of this one.
-    for (const char* name : {"final.csv", "summary.json"}) {
+    for (const char* name : {"final.csv", "final.png", "summary.json"}) {
         std::filesystem::remove(directory / name, error);
     }
     return directory;
@@ -71,6 +73,19 @@ std::vector<BodyRow> body_rows(const Simulation& simulation) {
                    .angular_velocity = p.angular_velocity[i]};
     }
     return rows;
+}
+
+void write_picture(const std::filesystem::path& path, const Simulation& simulation) {
+    const Particles& p = simulation.particles();
+    const Scene& scene = simulation.scene();
+    std::vector<PictureBody> bodies;
+    for (std::uint32_t i = 0; i < p.size(); ++i) {
+        bodies.push_back({&scene.shapes[scene.kinds[p.kind[i]].shape].display_mesh, p.position[i],
+                          p.orientation[i], p.group[i]});
+    }
+    AtomicFile file(path);
+    file.write(encode_png(render_picture(bodies, scene.walls, simulation.time(), {})));
+    file.commit();
 }
 
 std::string end_name(RunResult::End end) {
@@ -148,6 +163,7 @@ void Outputs::finish(const Simulation& simulation, const RunResult& result) {
     write_body_table(directory_ / "final.csv", body_rows(simulation));
 
     const Scene& scene = simulation.scene();
+    if (scene.output.picture) write_picture(directory_ / "final.png", simulation);
     RunSummary summary{.case_path = scene.case_path,
                        .end = end_name(result.end),
                        .steps = result.steps,

@@ -13,7 +13,7 @@
 namespace dem {
 
 /// What a run leaves in its folder (docs/output-files.md). Frames and rows are complete on disk as
-/// soon as they are due; final.csv and summary.json appear at the end.
+/// soon as they are due; final.csv, final.png and summary.json appear at the end.
 class Outputs {
   public:
     /// Makes the folder when it is missing, removes an earlier run's final.csv and summary.json and
