@@ -30,7 +30,7 @@ def pack(name, template, seeds, jobs):
 
 def report(page: Page, runs, experiment, tolerance, paper, total):
     """Table, claim and plot of the fill heights against the experiment (mm)."""
-    names = ["height.highest", "height.mean_of_ten", "height.surface_mean"]
+    names = ["height_highest", "height_top_ten", "height_surface"]
     heights = np.array([[1e3 * run.history[n][-1] for n in names] for run in runs])
     rows = [[k + 1, *(f"{h:.2f}" for h in heights[k]), int(run.summary["steps"]),
              f"{run.summary['microseconds_per_particle_step']:.3f}", run.summary["state_hash"]]
