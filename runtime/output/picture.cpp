@@ -148,7 +148,8 @@ class Canvas {
         for (const Vec3& v : body.mesh->vertices) {
             positions_.push_back(camera_.sample_position(body.position + body.orientation * v));
         }
-        // Light and surface normal in sample coordinates (x right, y down, z away).
+        // Light and surface normal in sample coordinates (x right, y down, z away), which
+        // are right-handed like the world's.
         const Vec3 light = Vec3(-0.45, -0.65, -0.9).normalized();
         for (const auto& t : body.mesh->triangles) {
             const Vec3& a = positions_[t[0]];
@@ -158,7 +159,7 @@ class Canvas {
             Vec3 v = c - a;
             u.z() *= camera_.scale;
             v.z() *= camera_.scale;
-            const Vec3 normal = -u.cross(v).normalized();  // y points down: the sense is mirrored
+            const Vec3 normal = u.cross(v).normalized();
             if (normal.z() >= 0.0) continue;
             const double shade = 0.35 + 0.65 * std::max(0.0, normal.dot(light));
             fill(a, b, c, {0.0F, id, static_cast<float>(shade)});

@@ -52,6 +52,18 @@ TEST(Picture, ASphereCoversADiscOfItsRadius) {
     EXPECT_NEAR(static_cast<double>(covered), pi * radius * radius, 0.01 * pi * radius * radius);
 }
 
+TEST(Picture, LightFallsFromAbove) {
+    const DisplayMesh mesh = ball();
+    const std::vector<PictureBody> bodies{{&mesh, Vec3::Zero(), Quat::Identity(), 0}};
+    const Image image = render_picture(bodies, {}, 0.0, {});
+    const auto brightness = [&](double height) {
+        const auto row =
+            static_cast<std::size_t>((1.0 - height) * static_cast<double>(image.height));
+        return static_cast<int>(image.rgb[3 * (row * image.width + image.width / 2)]);
+    };
+    EXPECT_GT(brightness(0.8), brightness(0.2) + 50);
+}
+
 TEST(Picture, TheNearerBodyHidesTheOther) {
     const DisplayMesh mesh = ball();
     PictureView view;
