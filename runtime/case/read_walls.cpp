@@ -30,26 +30,31 @@ void read_cylinder(const Values& values, const Wall& base, Scene& scene) {
     side.inside = values.word("side") == "inside";
     const std::optional<double> length = values.optional_number("length");
     if (length) side.length = *length;
-    scene.walls.push_back(face(base, "", point, axis, side));
     if (!side.inside) {
+        scene.walls.push_back(face(base, "", point, axis, side));
         if (!values.has("ends")) return;
         throw Error(values.where("ends"),
                     "a rod (side = outside) always has both ends, expected "
                     "no such key");
     }
     const std::string_view ends = values.word("ends");
-    const PlaneWall disc{side.radius};
-    if (ends == "bottom" || ends == "both") {
-        scene.walls.push_back(face(base, "bottom", point, axis, disc));
+    const bool bottom = ends == "bottom" || ends == "both";
+    const bool top = ends == "top" || ends == "both";
+    if (top && !length) {
+        throw Error(values.where("ends"),
+                    "a top found on an infinite cylinder, expected "
+                    "'length' to say where it is");
     }
-    if (ends == "top" || ends == "both") {
-        if (!length) {
-            throw Error(values.where("ends"),
-                        "a top found on an infinite cylinder, expected "
-                        "'length' to say where it is");
-        }
-        scene.walls.push_back(face(base, "top", point + *length * axis, -axis, disc));
-    }
+    // Faces overlap where they meet: a body pressed into the corner touches each a little outside
+    // the other.
+    const double margin = 0.1 * side.radius;
+    side.length += (bottom ? margin : 0.0) + (top ? margin : 0.0);
+    const bool reaches_down = bottom && length;
+    const Vec3 origin = reaches_down ? Vec3(point - margin * axis) : point;
+    scene.walls.push_back(face(base, "", origin, axis, side));
+    const PlaneWall disc{side.radius + margin};
+    if (bottom) scene.walls.push_back(face(base, "bottom", point, axis, disc));
+    if (top) scene.walls.push_back(face(base, "top", point + *length * axis, -axis, disc));
 }
 
 void read_box(const Values& values, const Wall& base, Scene& scene) {

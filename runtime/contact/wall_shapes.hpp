@@ -18,7 +18,8 @@ struct PlaneWall {
 /// The side of a cylinder about the wall's z axis from z = 0 to z = length (infinite: both ways
 /// without end). `inside`: bodies are kept within; otherwise the cylinder is a solid rod with flat
 /// ends. An open end of a finite inside cylinder is a rim: bodies whose contact point lies beyond
-/// it are not touched by the side.
+/// it are not touched by the side. A vessel is closed by discs of more than its radius and a side
+/// that reaches beyond them: a body pressed into the corner has contact points a little outside.
 struct CylinderWall {
     double radius = 0.0;                                      ///< [m]
     double length = std::numeric_limits<double>::infinity();  ///< [m]

@@ -28,7 +28,8 @@ TEST(ReadScene, ASmallCaseBecomesTheSceneItDescribes) {
     ASSERT_EQ(scene.walls.size(), 2U);
     EXPECT_EQ(scene.walls[0].name, "vessel");
     EXPECT_EQ(scene.walls[1].name, "vessel.bottom");
-    EXPECT_EQ(std::get<PlaneWall>(scene.walls[1].shape).radius, 25e-3);
+    // The floor reaches under the side: a body pressed into the corner stays in front of both.
+    EXPECT_GT(std::get<PlaneWall>(scene.walls[1].shape).radius, 25e-3);
 }
 
 TEST(ReadScene, APairOfMaterialsTakesItsOwnValuesAndTheRestFromContact) {
