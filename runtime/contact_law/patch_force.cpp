@@ -165,10 +165,13 @@ void add_friction(const Patch& patch, std::span<const ContactPoint> points, cons
                   const ContactLaw& law, double dt, double normal_force, PatchHistory& history,
                   PairContact& contact) {
     const PatchSlots chosen = choose_slots(points, history);
-    double held = 0.0;
-    for (std::size_t k = 0; k < chosen.count; ++k)
-        held += std::abs(patch.share(points[chosen.point[k]], dt).force);
-    const double scale = held > 0.0 ? normal_force / held : 1.0;
+    double scale = 1.0;
+    if (chosen.count < points.size()) {
+        double held = 0.0;
+        for (std::size_t k = 0; k < chosen.count; ++k)
+            held += std::abs(patch.share(points[chosen.point[k]], dt).force);
+        if (held > 0.0) scale = normal_force / held;
+    }
     const Vec3 mean_spin = 0.5 * (pair.i.angular_velocity + pair.j.angular_velocity);
     for (std::size_t k = 0; k < chosen.count; ++k) {
         const ContactPoint& p = points[chosen.point[k]];

@@ -36,7 +36,28 @@ std::size_t add_deepest(std::span<const ContactPoint> points, std::size_t kept, 
 
 }  // namespace
 
+namespace {
+
+/// Nothing came or went: the case on most steps.
+bool is_unchanged(std::span<const ContactPoint> points, const PatchHistory& history) {
+    if (points.size() != history.used) return false;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        if (points[k].feature != history.slots[k].feature) return false;
+    return true;
+}
+
+}  // namespace
+
 PatchSlots choose_slots(std::span<const ContactPoint> points, PatchHistory& history) {
+    PatchSlots result;
+    if (is_unchanged(points, history)) {
+        result.count = points.size();
+        for (std::uint32_t k = 0; k < result.count; ++k) {
+            result.point[k] = k;
+            result.known[k] = true;
+        }
+        return result;
+    }
     std::array<Chosen, PatchHistory::slot_count> chosen;  // NOLINT: filled up to `count`
     std::size_t count = 0;
     std::uint32_t slot = 0;
@@ -51,7 +72,6 @@ PatchSlots choose_slots(std::span<const ContactPoint> points, PatchHistory& hist
     std::sort(chosen.begin(), end,
               [](const Chosen& a, const Chosen& b) { return a.point < b.point; });
 
-    PatchSlots result;
     result.count = count;
     const auto old = history.slots;
     for (std::size_t k = 0; k < count; ++k) {
