@@ -14,9 +14,13 @@ struct SupportPoint {
     double circumferential_radius;  ///< 1/kappa_2 = r / n_r [m]; at the poles the meridional one
 };
 
-/// Index of the piece that holds the direction (n_r, n_z), n_r >= 0.
-inline std::uint32_t support_piece(const SupportMap& map, double n_r, double n_z) {
-    const double q = n_z / (n_r + std::abs(n_z));
+/// q of a direction (sr_shape.hpp, SupportMap), n_r >= 0. Changes by 1/2 to 1 per radian.
+inline double direction_measure(double n_r, double n_z) {
+    return n_z / (n_r + std::abs(n_z));
+}
+
+/// Index of the piece that holds the direction of measure q.
+inline std::uint32_t support_piece(const SupportMap& map, double q) {
     const auto buckets = static_cast<double>(map.first_piece.size() - 1);
     const double bucket = 0.5 * (q + 1.0) * buckets;
     const auto k = bucket < buckets ? static_cast<std::uint32_t>(bucket)
@@ -28,7 +32,8 @@ inline std::uint32_t support_piece(const SupportMap& map, double n_r, double n_z
 
 /// Support point of the unit direction (n_r, n_z), n_r >= 0 (sr_shape.hpp, SupportPiece).
 inline SupportPoint support_point(const SupportMap& map, double n_r, double n_z) {
-    const SupportPiece& p = map.pieces[map.pieces.size() == 1 ? 0 : support_piece(map, n_r, n_z)];
+    const SupportPiece& p =
+        map.pieces[map.pieces.size() == 1 ? 0 : support_piece(map, direction_measure(n_r, n_z))];
     SupportPoint s{p.center_r, p.center_z, 0.0, 0.0};
     if (p.a == p.b) {
         s.r += p.a * n_r;

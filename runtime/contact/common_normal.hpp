@@ -42,10 +42,15 @@ inline Vec3 any_tangent(const Vec3& n) {
     return (other - other.dot(n) * n).normalized();
 }
 
-/// Newton step in the tangent plane [rad]. The second derivative of f on the sphere is
+struct NewtonStep {
+    Vec3 turn;    ///< in the tangent plane [rad]
+    bool lifted;  ///< f is not convex enough here, the step is shorter than Newton's
+};
+
+/// Newton step to the minimum of f. The second derivative of f on the sphere is
 ///     (across_i + across_j - f) 1 + excess_i m_i m_i^T + excess_j m_j m_j^T,
 /// lifted to eigenvalues of at least `floor` [m] where f is not convex.
-inline Vec3 newton_step(const NormalProbe& p, double floor) {
+inline NewtonStep newton_step(const NormalProbe& p, double floor) {
     Vec3 e1 = p.i.meridian;
     if (p.i.excess == 0.0) e1 = p.j.excess == 0.0 ? any_tangent(p.n) : p.j.meridian;
     const Vec3 e2 = p.n.cross(e1);
@@ -57,7 +62,8 @@ inline Vec3 newton_step(const NormalProbe& p, double floor) {
     const double h12 = p.j.excess * a * b;
     const double half_trace = 0.5 * (h11 + h22);
     double determinant = h11 * h22 - h12 * h12;
-    if (half_trace < floor || determinant < floor * (2.0 * half_trace - floor)) {
+    const bool lifted = half_trace < floor || determinant < floor * (2.0 * half_trace - floor);
+    if (lifted) {
         const double half_gap = std::sqrt(square(0.5 * (h11 - h22)) + h12 * h12);
         const double shift = floor - (half_trace - half_gap);
         h11 += shift;
@@ -66,8 +72,8 @@ inline Vec3 newton_step(const NormalProbe& p, double floor) {
     }
     const double g1 = p.gradient.dot(e1);
     const double g2 = p.gradient.dot(e2);
-    return (-(h22 * g1 - h12 * g2) / determinant) * e1 +
-           (-(h11 * g2 - h12 * g1) / determinant) * e2;
+    const double scale = -1.0 / determinant;
+    return {(scale * (h22 * g1 - h12 * g2)) * e1 + (scale * (h11 * g2 - h12 * g1)) * e2, lifted};
 }
 
 /// Search parameters; lengths relative to |d|.
@@ -77,8 +83,9 @@ struct NormalSearch {
     static constexpr double margin = 1e-11;
     static constexpr double step_tolerance = 1e-8;      ///< [rad]; what is left is its square
     static constexpr double gradient_tolerance = 1e-9;  ///< error of the contact point
-    static constexpr double floor = 1e-3;               ///< of the second derivative
-    static constexpr double longest_step = 0.7;         ///< [rad]
+    static constexpr double extrapolation = 1e-10;
+    static constexpr double floor = 1e-3;        ///< of the second derivative
+    static constexpr double longest_step = 0.7;  ///< [rad]
     static constexpr int most_steps = 60;
     static constexpr int most_trials = 40;
 };
@@ -87,14 +94,15 @@ struct NormalSearch {
 /// stops short of the minimum along the line. Returns p when rounding leaves nothing to gain.
 template <class SupportI, class SupportJ>
 NormalProbe line_search(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
-                        const NormalProbe& p, const Vec3& step) {
+                        const NormalProbe& p, const Vec3& step, double size) {
     // |n + t step| f is convex in t: the tangents at both ends of the bracket meet inside it, and
     // where the minimum is a kink between two smooth pieces they meet close to the kink.
     struct End {
         double t, value, slope;
     };
     const double slope = p.gradient.dot(step);
-    const double noise = NormalSearch::margin * d.norm();
+    const double step2 = step.squaredNorm();
+    const double noise = NormalSearch::margin * size;
     End low{0.0, p.f, slope};
     End high{0.0, 0.0, 0.0};
     // Once a kink is between the ends, one side's slope must not pass for a minimum: the next step
@@ -104,9 +112,9 @@ NormalProbe line_search(const SupportI& support_i, const SupportJ& support_j, co
     double t = 1.0;
     double width = 1.0;
     for (int k = 0; k < NormalSearch::most_trials; ++k) {
-        const Vec3 ahead = p.n + t * step;
-        const double length = ahead.norm();
-        const NormalProbe trial = probe(support_i, support_j, d, Vec3(ahead / length));
+        const double length = std::sqrt(1.0 + t * t * step2);
+        const Vec3 ahead = (p.n + t * step) / length;
+        const NormalProbe trial = probe(support_i, support_j, d, ahead);
         const double trial_slope = trial.gradient.dot(step);
         const bool decreases = trial.f <= p.f + 1e-4 * t * slope + noise;
         if (decreases && (std::abs(trial_slope) <= flat_enough || (k == 0 && trial_slope < 0.0)))
@@ -128,27 +136,76 @@ NormalProbe line_search(const SupportI& support_i, const SupportJ& support_j, co
     return best;
 }
 
-/// Minimises f from the direction `start`. Stops early, at any direction, once f is below
-/// -margin |d| and not about to fall much further: the bodies are apart.
+/// Minimises f from a probe. Stops early, at any direction, once f is below -margin |d| and not
+/// about to fall much further: the bodies are apart.
 template <class SupportI, class SupportJ>
-NormalProbe common_normal(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
-                          const Vec3& start) {
+NormalProbe descend(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
+                    NormalProbe p) {
     const double size = d.norm();
-    NormalProbe p = probe(support_i, support_j, d, start);
     for (int k = 0; k < NormalSearch::most_steps; ++k) {
-        Vec3 step = newton_step(p, NormalSearch::floor * size);
-        const double gain = -0.5 * p.gradient.dot(step);
+        Vec3 turn = newton_step(p, NormalSearch::floor * size).turn;
+        const double gain = -0.5 * p.gradient.dot(turn);
         if (p.f < -NormalSearch::margin * size && gain < -0.25 * p.f) break;
-        const double length = step.norm();
+        const double length = turn.norm();
         if (length <= NormalSearch::step_tolerance &&
             p.gradient.norm() <= NormalSearch::gradient_tolerance * size)
             break;
-        if (length > NormalSearch::longest_step) step *= NormalSearch::longest_step / length;
-        const NormalProbe next = line_search(support_i, support_j, d, p, step);
+        if (length > NormalSearch::longest_step) turn *= NormalSearch::longest_step / length;
+        const NormalProbe next = line_search(support_i, support_j, d, p, turn, size);
         if (next.f >= p.f && next.gradient.squaredNorm() >= p.gradient.squaredNorm()) break;
         p = next;
     }
     return p;
+}
+
+template <class SupportI, class SupportJ>
+NormalProbe common_normal(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
+                          const Vec3& start) {
+    return descend(support_i, support_j, d, probe(support_i, support_j, d, start));
+}
+
+/// Where two bodies share a normal.
+struct CommonNormal {
+    Vec3 n;       ///< from i to j, unit
+    double f;     ///< [m]
+    Vec3 middle;  ///< between the two surface points, from the centre of i [m]
+};
+
+inline CommonNormal result_of(const NormalProbe& p, const Vec3& d) {
+    return {p.n, p.f, 0.5 * (p.i.point(p.n) + p.j.point(-p.n) + d)};
+}
+
+/// The minimum as the second derivative at a nearby direction shows it, without evaluating f there.
+/// What is left out is of the order of the turn squared.
+inline CommonNormal extrapolated(const NormalProbe& p, const Vec3& turn, const Vec3& d) {
+    CommonNormal c = result_of(p, d);
+    c.n = (p.n + turn) * (1.0 - 0.5 * turn.squaredNorm());
+    c.f += 0.5 * p.gradient.dot(turn);
+    c.middle += 0.5 * (p.i.shift(turn) - p.j.shift(turn));
+    return c;
+}
+
+/// Whether a turn is small enough for that: nowhere near a jump of the curvature, and what is left
+/// out of the contact point below `extrapolation` |d|.
+inline bool is_close(const NormalProbe& p, const NewtonStep& step, double size) {
+    const double turn2 = step.turn.squaredNorm();
+    const double room = std::min(p.i.room, p.j.room);
+    const double radius = p.i.across + p.j.across + std::abs(p.i.excess) + std::abs(p.j.excess);
+    return !step.lifted && 4.0 * turn2 < room * room &&
+           turn2 * (radius + size) < NormalSearch::extrapolation * size;
+}
+
+/// The same as common_normal() from a direction that was the minimum a moment ago.
+template <class SupportI, class SupportJ>
+CommonNormal followed_normal(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
+                             const Vec3& start) {
+    const double size = d.norm();
+    // The length of a normal carried from step to step drifts by rounding.
+    const Vec3 unit = start * (1.5 - 0.5 * start.squaredNorm());
+    const NormalProbe p = probe(support_i, support_j, d, unit);
+    const NewtonStep step = newton_step(p, NormalSearch::floor * size);
+    if (is_close(p, step, size)) return extrapolated(p, step.turn, d);
+    return result_of(descend(support_i, support_j, d, p), d);
 }
 
 }  // namespace dem

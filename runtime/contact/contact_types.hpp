@@ -81,9 +81,9 @@ struct PairContact {
 /// History of a pair that touches in one point. All zero: no contact.
 struct PointHistory {
     StoredVec3 normal;              ///< last unit normal, from j towards i
-    StoredVec3 spring;              ///< tangential spring delta_t [m], in the plane of `normal`
+    StoredVec3 spring;              ///< tangential spring, half a step ahead [m], normal to `normal`
     double effective_radius = 0.0;  ///< R* frozen at the onset of the contact [m]
-    double phase = 0.0;             ///< age of the contact in radians of its own oscillation
+    double phase = 0.0;  ///< age in radians of its own oscillation; counts in laps once settled
 };
 static_assert(std::is_trivially_copyable_v<PointHistory>);
 

@@ -23,8 +23,8 @@ inline PairContact collide(const Sphere& a, const Sphere& b, const PairState& pa
     const Vec3 n = distance > 0.0 ? Vec3(-d / distance) : Vec3::UnitZ();
     const double overlap = reach - distance;
     const Vec3 r_i = -(a.radius - 0.5 * overlap) * n;
-    return sphere_force<Partner::sphere>(n, overlap, r_i, a.radius * b.radius / reach, pair, law,
-                                         dt, history);
+    const SpherePoint point{n, overlap, r_i, a.radius * b.radius / reach};
+    return sphere_force<Partner::sphere>(point, pair, law, dt, history);
 }
 
 }  // namespace dem

@@ -24,7 +24,7 @@ PairContact touch(const Sphere& a, const Nearest& nearest, const PairState& pair
         return {};
     }
     const Vec3 r_i = -(a.radius - 0.5 * overlap) * nearest.normal;
-    return sphere_force<Partner::wall>(nearest.normal, overlap, r_i, a.radius, pair, law, dt,
+    return sphere_force<Partner::wall>({nearest.normal, overlap, r_i, a.radius}, pair, law, dt,
                                        history);
 }
 

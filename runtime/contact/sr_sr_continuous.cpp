@@ -4,6 +4,8 @@
 #include "runtime/contact/common_normal.hpp"
 #include "runtime/contact/convex_contact.hpp"
 #include "runtime/contact/wall_frame.hpp"
+#include "runtime/contact_law/contact_mass.hpp"
+#include "runtime/contact_law/point_force.hpp"
 
 namespace dem {
 
@@ -26,6 +28,43 @@ Side<SphereSupport> side(const Sphere& shape, const BodyState&) {
     return {{shape.radius}, shape.radius, 2.0 * shape.radius};
 }
 
+/// Effective mass along the common normal. The lever of a body of revolution and the normal lie in
+/// a plane with its axis, so their product turns it about a transverse axis alone.
+double inverse_mass_at(const PairState& pair, const ContactLaw& law, const Vec3& n,
+                       const Vec3& r_i) {
+    double inverse = inverse_reduced_mass(pair);
+    if (law.damping_mass == ContactLaw::DampingMass::contact) {
+        const Vec3 r_j = r_i - pair.displacement;
+        inverse += pair.i.inverse_inertia.moments.x() * r_i.cross(n).squaredNorm() +
+                   pair.j.inverse_inertia.moments.x() * r_j.cross(n).squaredNorm();
+    }
+    return inverse;
+}
+
+PairContact force_at(const CommonNormal& at, double local_radius, const PairState& pair,
+                     const ContactLaw& law, double dt, PointHistory& history) {
+    PointMotion motion = motion_at(pair, at.middle, -at.n, at.f);
+    motion.inverse_mass = inverse_mass_at(pair, law, at.n, at.middle);
+    const PointForce f = point_force(motion, local_radius, law, dt, history);
+
+    PairContact contact;
+    contact.force = f.tangential - f.normal * at.n;
+    contact.torque_i = at.middle.cross(contact.force);
+    contact.torque_j = (pair.displacement - at.middle).cross(contact.force);
+    contact.overlap = at.f;
+    contact.elastic_energy = f.elastic;
+    contact.dissipated_energy = f.dissipated;
+    contact.points = 1;
+    return contact;
+}
+
+template <class SupportI, class SupportJ>
+double local_radius(const Side<SupportI>& i, const Side<SupportJ>& j, const Vec3& n,
+                    const ContactLaw& law) {
+    return contact_radius(law, i.support(n), i.equivalent_diameter, j.support(-n),
+                          j.equivalent_diameter);
+}
+
 template <class SupportI, class SupportJ>
 PairContact convex_contact(const Side<SupportI>& i, const Side<SupportJ>& j, const PairState& pair,
                            const ContactLaw& law, double dt, PointHistory& history,
@@ -36,25 +75,21 @@ PairContact convex_contact(const Side<SupportI>& i, const Side<SupportJ>& j, con
     const double reach = i.bounding_radius + j.bounding_radius;
     if (distance > reach) return no_contact(history, miss, distance - reach, miss.axis);
 
-    const auto separated = [&](const NormalProbe& p) {
-        return p.f < -NormalSearch::margin * distance;
-    };
     if (!touched && Vec3(miss.axis).squaredNorm() > 0.0) {
         const NormalProbe p = common_normal(i.support, j.support, d, miss.axis);
-        if (separated(p)) return no_contact(history, miss, -p.f, p.n);
+        if (p.f < -NormalSearch::margin * distance) return no_contact(history, miss, -p.f, p.n);
     }
-    Vec3 start = -Vec3(history.normal);
-    if (!touched) start = distance > 0.0 ? Vec3(d / distance) : Vec3::UnitZ();
-    const NormalProbe p = common_normal(i.support, j.support, d, start);
-    if (!(p.f > 0.0)) return no_contact(history, miss, -p.f, p.n);
-
-    const Vec3 on_i = p.i.point(p.n);
-    const Vec3 on_j = d + p.j.point(-p.n);
-    const ContactPoint point{0.5 * (on_i + on_j), -p.n, p.f, 0};
-    double radius = 0.0;
-    if (hertz::needs_local_radius(law, history))
-        radius = contact_radius(law, p.i, i.equivalent_diameter, p.j, j.equivalent_diameter);
-    return contact_force(point, radius, pair, law, dt, history);
+    CommonNormal at;
+    if (touched) {
+        at = followed_normal(i.support, j.support, d, -Vec3(history.normal));
+    } else {
+        const Vec3 start = distance > 0.0 ? Vec3(d / distance) : Vec3::UnitZ();
+        at = result_of(common_normal(i.support, j.support, d, start), d);
+    }
+    if (!(at.f > 0.0)) return no_contact(history, miss, -at.f, at.n);
+    const double radius =
+        hertz::needs_local_radius(law, history) ? local_radius(i, j, at.n, law) : 0.0;
+    return force_at(at, radius, pair, law, dt, history);
 }
 
 }  // namespace

@@ -24,11 +24,16 @@ inline constexpr double settled_phase = 4.0 * collision_phase;
 /// of stiffness adds or takes in a cycle stays below what it would in a bounce by that factor.
 inline constexpr double drift_phase = 20.0 * collision_phase;
 
+/// The drift goes in small jumps, one each time the contact has aged by this many radians: R* of
+/// the place is needed then and only then.
+inline constexpr double drift_interval = 0.25;
+
 /// Whether the law asks for R* at the present place, or for none because the frozen one serves.
 template <class History>
 bool needs_local_radius(const ContactLaw& law, const History& history) {
     return law.radius == ContactLaw::Radius::local || history.effective_radius == 0.0 ||
-           (law.radius == ContactLaw::Radius::onset && history.phase > settled_phase);
+           (law.radius == ContactLaw::Radius::onset &&
+            history.phase >= settled_phase + drift_interval);
 }
 
 /// R* of this step [m].
@@ -52,25 +57,28 @@ inline Coefficients coefficients(const ContactLaw& law, double radius, double ov
     Coefficients c{};
     c.k_n = 4.0 / 3.0 * law.youngs_modulus * root;
     c.frequency = std::sqrt(c.k_n * inverse_mass);
-    c.gamma_n = inverse_mass > 0.0 ? law.damping * c.frequency / inverse_mass : 0.0;
+    const double mass = inverse_mass > 0.0 ? 1.0 / inverse_mass : 0.0;
+    c.gamma_n = law.damping * c.frequency * mass;
     c.k_t = law.tangential == ContactLaw::Tangential::mindlin ? 8.0 * law.shear_modulus * root
                                                               : law.stiffness_ratio * c.k_n;
     c.gamma_t = law.damping_ratio * c.gamma_n;
     return c;
 }
 
-/// Lets R* drift, ages the contact and returns the elastic energy that the change of R* took away
-/// [J]. Both k_n and k_t, so also the stored energy, go with sqrt(R*).
+/// Lets R* drift, ages the contact by `turn` [rad] and returns the elastic energy that the change
+/// of R* took away [J]. Both k_n and k_t, so also the stored energy, go with sqrt(R*).
 template <class History>
 double age(const ContactLaw& law, double local_radius, double radius, double turn, double elastic,
            History& history) {
     double change = 0.0;  // of R*, relative
-    if (law.radius == ContactLaw::Radius::local && history.effective_radius > 0.0) {
-        change = 1.0 - history.effective_radius / radius;
-    } else if (law.radius == ContactLaw::Radius::onset && history.phase > settled_phase) {
-        const double drifted = radius + (local_radius - radius) * (turn / drift_phase);
+    if (law.radius == ContactLaw::Radius::local) {
+        if (history.effective_radius > 0.0) change = 1.0 - history.effective_radius / radius;
+    } else if (law.radius == ContactLaw::Radius::onset &&
+               history.phase >= settled_phase + drift_interval) {
+        const double drifted = radius + (local_radius - radius) * (drift_interval / drift_phase);
         change = drifted / radius - 1.0;
         radius = drifted;
+        history.phase -= drift_interval;
     }
     history.effective_radius = radius;
     history.phase += turn;
@@ -85,7 +93,8 @@ inline Vec3 carried(const Vec3& spring, const Vec3& old_normal, const Vec3& norm
     if (cosine < -0.9) return Vec3::Zero();
     const Vec3 s = spring - (old_normal + normal) * (normal.dot(spring) / (1.0 + cosine));
     const double t = 0.5 * spin;  // rotation by 2 atan(t), Cayley
-    return ((1.0 - t * t) * s + 2.0 * t * normal.cross(s)) / (1.0 + t * t);
+    const double scale = 1.0 / (1.0 + t * t);
+    return ((1.0 - t * t) * scale) * s + (2.0 * t * scale) * normal.cross(s);
 }
 
 struct TangentialForce {

@@ -12,16 +12,11 @@ PairContact contact_force(const ContactPoint& point, double local_radius, const 
     const Vec3 r_j = point.position - pair.displacement;
     const double slope = g.norm();
 
-    PointMotion motion;
-    motion.normal = g / slope;
-    motion.velocity = pair.i.velocity - pair.j.velocity + pair.i.angular_velocity.cross(r_i) -
-                      pair.j.angular_velocity.cross(r_j);
-    motion.overlap = point.overlap;
+    PointMotion motion = motion_at(pair, r_i, g / slope, point.overlap);
     motion.overlap_rate = -motion.velocity.dot(g);
     motion.inverse_mass = law.damping_mass == ContactLaw::DampingMass::contact
                               ? inverse_contact_mass(pair, g, r_i.cross(g), r_j.cross(g))
                               : inverse_reduced_mass(pair);
-    motion.spin = 0.5 * motion.normal.dot(pair.i.angular_velocity + pair.j.angular_velocity);
     // The overlap changes by slope times the way along the normal: f g is the force of a potential.
     const PointForce f = point_force(motion, local_radius, law, dt, history);
 

@@ -16,6 +16,20 @@ struct PointMotion {
     double spin;          ///< mean angular velocity of the bodies about the normal [rad/s]
 };
 
+/// Motion at a point of lever r_i from the centre of i with a unit normal; the mass is left out.
+inline PointMotion motion_at(const PairState& pair, const Vec3& r_i, const Vec3& normal,
+                             double overlap) {
+    PointMotion m;
+    m.normal = normal;
+    m.velocity = pair.i.velocity - pair.j.velocity + pair.i.angular_velocity.cross(r_i) -
+                 pair.j.angular_velocity.cross(r_i - pair.displacement);
+    m.overlap = overlap;
+    m.overlap_rate = -m.velocity.dot(normal);
+    m.inverse_mass = 0.0;
+    m.spin = 0.5 * normal.dot(pair.i.angular_velocity + pair.j.angular_velocity);
+    return m;
+}
+
 struct PointForce {
     double normal;    ///< > 0 repulsive [N]
     Vec3 tangential;  ///< on i [N]
