@@ -26,13 +26,13 @@ inline SdfSample interpolate(const SdfQuadtree& sdf, double r, double z) {
     const double vc = std::clamp(v, 0.0, static_cast<double>(sdf.cells_z) * (1.0 - 1e-15));
     const auto i = static_cast<std::uint32_t>(uc);
     const auto k = static_cast<std::uint32_t>(vc);
-    const SdfCell cell = sdf.cells[k * sdf.cells_r + i];
+    const SdfCell cell = sdf.cells[std::size_t{k} * sdf.cells_r + i];
     const std::uint32_t n = 1U << cell.level;
     const double x = (uc - i) * n;
     const double y = (vc - k) * n;
     const auto a = static_cast<std::uint32_t>(x);
     const auto b = static_cast<std::uint32_t>(y);
-    const double* value = sdf.values.data() + cell.first_value + b * (n + 1) + a;
+    const double* value = sdf.values.data() + cell.first_value + std::size_t{b} * (n + 1) + a;
     const double p = x - a;
     const double q = y - b;
     const double lower = value[0] + p * (value[1] - value[0]);

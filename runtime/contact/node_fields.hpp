@@ -6,7 +6,7 @@
 #include "common/shapes/support_map.hpp"
 #include "runtime/contact/contact_types.hpp"
 #include "runtime/contact/sdf_vectors.hpp"
-#include "runtime/contact/wall_shapes.hpp"
+#include "runtime/contact/wall_frame.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,10 +41,10 @@ struct SrField {
     Vec3 floor_normal = Vec3::Zero();
     double floor_offset = std::numeric_limits<double>::infinity();
 
-    SrField(const SrShape& shape, const Vec3& center_, const Vec3& axis_)
+    SrField(const SrShape& shape, const Vec3& slave_center, const Vec3& slave_axis)
         : sdf(&shape.sdf),
-          center(center_),
-          axis(axis_),
+          center(slave_center),
+          axis(slave_axis),
           slack(sdf->lipschitz_slack +
                 (sdf->surface_band > 0.0 ? sdf->surface_slack : sdf->lipschitz_slack)) {}
 
@@ -132,19 +132,6 @@ struct PlaneField : ExactField {
     }
 };
 
-/// Cylindrical coordinates of a point about a wall's axis.
-struct TubePoint {
-    Vec3 radial;  ///< from the axis to the point [m]
-    double r, z;  ///< [m]
-
-    TubePoint(const Vec3& x, const Vec3& origin, const Vec3& axis) {
-        const Vec3 d = x - origin;
-        z = d.dot(axis);
-        radial = d - z * axis;
-        r = radial.norm();
-    }
-};
-
 /// The inside of a tube: distance from its wall, positive within.
 struct TubeField : ExactField {
     struct Sample {
@@ -154,10 +141,9 @@ struct TubeField : ExactField {
     Vec3 origin, axis;
     double radius, length;
 
-    Sample sample(const Vec3& x) const { return {radius - TubePoint(x, origin, axis).r}; }
+    Sample sample(const Vec3& x) const { return {radius - axial_point(x - origin, axis).r}; }
     Vec3 gradient(const Vec3& x, const Sample& /*s*/) const {
-        const TubePoint p(x, origin, axis);
-        return p.radial / -p.r;  // r > radius where a node touches
+        return -axial_point(x - origin, axis).radial;
     }
     bool accepts(const Vec3& x) const {
         if (length == std::numeric_limits<double>::infinity()) return true;
@@ -176,7 +162,7 @@ struct RodField : ExactField {
     double radius, length;
 
     Sample sample(const Vec3& x) const {
-        const TubePoint p(x, origin, axis);
+        const AxialPoint p = axial_point(x - origin, axis);
         const double side = p.r - radius;
         const double end = beyond_end(p.z);
         if (side > 0.0 && end > 0.0) return {std::hypot(side, end)};
@@ -184,8 +170,8 @@ struct RodField : ExactField {
     }
     /// Inside only, where nodes touch: away from the nearer of side and end.
     Vec3 gradient(const Vec3& x, const Sample& /*s*/) const {
-        const TubePoint p(x, origin, axis);
-        if (p.r - radius >= beyond_end(p.z) && p.r > 0.0) return p.radial / p.r;
+        const AxialPoint p = axial_point(x - origin, axis);
+        if (p.r - radius >= beyond_end(p.z) && p.r > 0.0) return p.radial;
         return p.z > 0.5 * length ? axis : Vec3(-axis);
     }
     static bool accepts(const Vec3& /*x*/) { return true; }
