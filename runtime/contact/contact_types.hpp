@@ -80,8 +80,8 @@ struct PairContact {
 
 /// History of a pair that touches in one point. All zero: no contact.
 struct PointHistory {
-    StoredVec3 normal;              ///< last unit normal, from j towards i
-    StoredVec3 spring;              ///< tangential spring, half a step ahead [m], normal to `normal`
+    StoredVec3 normal;  ///< last unit normal, from j towards i
+    StoredVec3 spring;  ///< tangential spring, half a step ahead [m], normal to `normal`
     double effective_radius = 0.0;  ///< R* frozen at the onset of the contact [m]
     double phase = 0.0;  ///< age in radians of its own oscillation; counts in laps once settled
 };
