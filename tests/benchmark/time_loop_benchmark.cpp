@@ -45,7 +45,7 @@ struct Bed {
 // Spheres in a cube; a loose shaken lattice that falls together.
 Bed sphere_bed(const Settings& s) {
     constexpr double radius = 2.5e-3;
-    Scene scene = scenes::one_material({5e6, 2500.0, 0.5, 0.5});
+    Scene scene = scenes::one_material({1e7, 2500.0, 0.5, 0.5});
     scenes::add_kind(scene, scenes::sphere(radius));
     const auto edge = static_cast<std::uint32_t>(std::ceil(std::cbrt(s.count)));
     const double cell = 2.1 * radius;
@@ -55,13 +55,13 @@ Bed sphere_bed(const Settings& s) {
         const Vec3 site(n % edge, n / edge % edge, n / (edge * edge));
         BodyPlacement body;
         body.position = cell * (site + Vec3::Constant(0.5)) + 0.04 * radius * random.direction();
-        body.velocity = 0.3 * random.direction() - Vec3(0.0, 0.0, 0.5);
+        body.velocity = 0.3 * random.direction();
         bodies.push_back(body);
     }
     scene.insertions.push_back(scenes::placed(bodies));
     const double width = cell * edge;
     scenes::add_box(scene, Vec3::Zero(), {width, width, 2.0 * width});
-    return {std::move(scene), 1.5e-5, 4000, 1.5e-5};
+    return {std::move(scene), 1e-5, 6000, 1e-5};
 }
 
 // 250 candies as in the packing of [SR] Sec. 3.3, or any number in a vessel as deep.
