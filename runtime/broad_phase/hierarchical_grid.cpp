@@ -132,7 +132,7 @@ void find_partners(const GridLevel& level, bool own_level, std::span<const Aabb>
                      e < level.bucket_start[bucket + 1]; ++e) {
                     const Entry& entry = level.entries[e];
                     if (entry.id == i || (own_level && entry.id < i)) continue;
-                    if (entry.cell != CellIndex{x, y, z}) continue;
+                    if (entry.cell[0] != x || entry.cell[1] != y || entry.cell[2] != z) continue;
                     if (!overlaps(box, boxes[entry.id])) continue;
                     pairs.push_back({std::min(i, entry.id), std::max(i, entry.id)});
                 }

@@ -3,7 +3,6 @@
 
 #include "common/math/aabb.hpp"
 
-#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,7 +11,8 @@ namespace dem {
 
 struct IdPair {
     std::uint32_t i, j;  ///< i < j
-    auto operator<=>(const IdPair&) const = default;
+    bool operator==(const IdPair& other) const = default;
+    bool operator<(const IdPair& other) const { return i != other.i ? i < other.i : j < other.j; }
 };
 
 /// All pairs of boxes that touch, sorted. O(n) for any ratio of sizes, in an unbounded domain; the

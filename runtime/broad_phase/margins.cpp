@@ -8,8 +8,8 @@ namespace dem {
 
 namespace {
 
-/// Steps between rebuilds to aim at. A rebuild costs about as much as four steps, a longer interval
-/// makes longer lists; the minimum is flat (docs/time-loop.md has the measurement).
+/// Steps between rebuilds to aim at: a rebuild costs about as much as four steps
+/// (docs/time-loop.md), a longer interval makes longer lists.
 constexpr double rebuild_interval = 200.0;
 /// Margin of a body at rest, and the largest margin, in bounding radii.
 constexpr double least_margin = 0.02;
