@@ -114,7 +114,7 @@ NormalProbe line_search(const SupportI& support_i, const SupportJ& support_j, co
     for (int k = 0; k < NormalSearch::most_trials; ++k) {
         const double length = std::sqrt(1.0 + t * t * step2);
         const Vec3 ahead = (p.n + t * step) / length;
-        const NormalProbe trial = probe(support_i, support_j, d, ahead);
+        NormalProbe trial = probe(support_i, support_j, d, ahead);
         const double trial_slope = trial.gradient.dot(step);
         const bool decreases = trial.f <= p.f + 1e-4 * t * slope + noise;
         if (decreases && (std::abs(trial_slope) <= flat_enough || (k == 0 && trial_slope < 0.0)))

@@ -10,11 +10,13 @@
 /// A kernel is a pure function
 ///
 ///     PairContact collide(const ShapeA& a, const ShapeB& b, const PairState& pair,
-///                         const ContactLaw& law, double dt, History& history, [Cache& cache])
+///                         const ContactLaw& law, double dt, Memory memory)
 ///
-/// in which i (shape a) is the particle with the lower id, or the particle when b is a wall. All
-/// vectors are in the world frame; points are relative to the centre of mass of i. The host owns
-/// the history and the cache, calls in any order on any thread or process, and gets the same bits.
+/// in which `memory` is what the pair remembers: its history, by reference, with a cache where the
+/// search has one (ContactMemory, NodeMemory). i (shape a) is the particle with the lower id, or
+/// the particle when b is a wall. All vectors are in the world frame; points are relative to the
+/// centre of mass of i. The host owns the history and the cache, calls in any order on any thread
+/// or process, and gets the same bits.
 namespace dem {
 
 /// Inertia of a rigid body as a contact needs it. All zero: a fixed body or a wall.
@@ -93,5 +95,14 @@ struct MissCache {
     StoredVec3 axis;   ///< unit separating direction, from i to j; zero: none known
     double gap = 0.0;  ///< proven distance when the kernel last ran [m]; <= 0: unknown
 };
+
+/// What the host owns for a pair of smooth bodies.
+template <class History>
+struct ContactMemory {
+    History& history;
+    MissCache& miss;
+};
+template <class History>
+ContactMemory(History&, MissCache&) -> ContactMemory<History>;
 
 }  // namespace dem

@@ -27,11 +27,11 @@ inline double contact_radius(const ContactLaw& law, const SupportSample& i, doub
 /// What a kernel returns for bodies that are apart: the history forgets the contact, the cache
 /// remembers the proven gap and, where there is one, the direction that proves it.
 template <class History>
-PairContact no_contact(History& history, MissCache& miss, double gap,
+PairContact no_contact(const ContactMemory<History>& memory, double gap,
                        const Vec3& axis = Vec3::Zero()) {
-    if (history.effective_radius > 0.0) history = {};
-    miss.axis = axis;
-    miss.gap = gap;
+    if (memory.history.effective_radius > 0.0) memory.history = {};
+    memory.miss.axis = axis;
+    memory.miss.gap = gap;
     return {};
 }
 

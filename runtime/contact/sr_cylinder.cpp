@@ -132,7 +132,8 @@ PlanarOutline::Sample nearest_to_axis(const PlanarOutline& outline, double psi) 
     constexpr double stride = 0.2;
     PlanarOutline::Sample s = outline.at(psi);
     const double direction = s.slope >= 0.0 ? stride : -stride;
-    for (double turned = 0.0; turned < 2.0 * pi; turned += stride) {
+    const int round = static_cast<int>(2.0 * pi / stride) + 1;
+    for (int k = 0; k < round; ++k) {
         const PlanarOutline::Sample next = outline.at(psi + direction);
         const bool between = s.slope >= 0.0 ? next.slope < 0.0 : next.slope >= 0.0;
         if (between)

@@ -67,17 +67,18 @@ double local_radius(const Side<SupportI>& i, const Side<SupportJ>& j, const Vec3
 
 template <class SupportI, class SupportJ>
 PairContact convex_contact(const Side<SupportI>& i, const Side<SupportJ>& j, const PairState& pair,
-                           const ContactLaw& law, double dt, PointHistory& history,
-                           MissCache& miss) {
+                           const ContactLaw& law, double dt,
+                           const ContactMemory<PointHistory>& memory) {
+    PointHistory& history = memory.history;
     const Vec3& d = pair.displacement;
     const double distance = d.norm();
     const bool touched = history.effective_radius > 0.0;
     const double reach = i.bounding_radius + j.bounding_radius;
-    if (distance > reach) return no_contact(history, miss, distance - reach, miss.axis);
+    if (distance > reach) return no_contact(memory, distance - reach, memory.miss.axis);
 
-    if (!touched && Vec3(miss.axis).squaredNorm() > 0.0) {
-        const NormalProbe p = common_normal(i.support, j.support, d, miss.axis);
-        if (p.f < -NormalSearch::margin * distance) return no_contact(history, miss, -p.f, p.n);
+    if (!touched && Vec3(memory.miss.axis).squaredNorm() > 0.0) {
+        const NormalProbe p = common_normal(i.support, j.support, d, memory.miss.axis);
+        if (p.f < -NormalSearch::margin * distance) return no_contact(memory, -p.f, p.n);
     }
     CommonNormal at;
     if (touched) {
@@ -86,7 +87,7 @@ PairContact convex_contact(const Side<SupportI>& i, const Side<SupportJ>& j, con
         const Vec3 start = distance > 0.0 ? Vec3(d / distance) : Vec3::UnitZ();
         at = result_of(common_normal(i.support, j.support, d, start), d);
     }
-    if (!(at.f > 0.0)) return no_contact(history, miss, -at.f, at.n);
+    if (!(at.f > 0.0)) return no_contact(memory, -at.f, at.n);
     const double radius =
         hertz::needs_local_radius(law, history) ? local_radius(i, j, at.n, law) : 0.0;
     return force_at(at, radius, pair, law, dt, history);
@@ -95,18 +96,18 @@ PairContact convex_contact(const Side<SupportI>& i, const Side<SupportJ>& j, con
 }  // namespace
 
 PairContact collide(const SrShape& a, const SrShape& b, const PairState& pair,
-                    const ContactLaw& law, double dt, PointHistory& history, MissCache& miss) {
-    return convex_contact(side(a, pair.i), side(b, pair.j), pair, law, dt, history, miss);
+                    const ContactLaw& law, double dt, const ContactMemory<PointHistory>& memory) {
+    return convex_contact(side(a, pair.i), side(b, pair.j), pair, law, dt, memory);
 }
 
 PairContact collide(const Sphere& a, const SrShape& b, const PairState& pair, const ContactLaw& law,
-                    double dt, PointHistory& history, MissCache& miss) {
-    return convex_contact(side(a, pair.i), side(b, pair.j), pair, law, dt, history, miss);
+                    double dt, const ContactMemory<PointHistory>& memory) {
+    return convex_contact(side(a, pair.i), side(b, pair.j), pair, law, dt, memory);
 }
 
 PairContact collide(const SrShape& a, const Sphere& b, const PairState& pair, const ContactLaw& law,
-                    double dt, PointHistory& history, MissCache& miss) {
-    return convex_contact(side(a, pair.i), side(b, pair.j), pair, law, dt, history, miss);
+                    double dt, const ContactMemory<PointHistory>& memory) {
+    return convex_contact(side(a, pair.i), side(b, pair.j), pair, law, dt, memory);
 }
 
 }  // namespace dem

@@ -12,12 +12,12 @@ namespace dem {
 /// contact point lies midway between the two surface points. While touching the search starts from
 /// the last normal; the first touch from the line of centres, so that `miss` never changes a bit.
 PairContact collide(const SrShape& a, const SrShape& b, const PairState& pair,
-                    const ContactLaw& law, double dt, PointHistory& history, MissCache& miss);
+                    const ContactLaw& law, double dt, const ContactMemory<PointHistory>& memory);
 
 PairContact collide(const Sphere& a, const SrShape& b, const PairState& pair, const ContactLaw& law,
-                    double dt, PointHistory& history, MissCache& miss);
+                    double dt, const ContactMemory<PointHistory>& memory);
 
 PairContact collide(const SrShape& a, const Sphere& b, const PairState& pair, const ContactLaw& law,
-                    double dt, PointHistory& history, MissCache& miss);
+                    double dt, const ContactMemory<PointHistory>& memory);
 
 }  // namespace dem

@@ -8,35 +8,35 @@
 namespace dem {
 
 PairContact collide(const SrShape& a, const PlaneWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, PointHistory& history, MissCache& miss) {
+                    const ContactLaw& law, double dt, const ContactMemory<PointHistory>& memory) {
     const Vec3 n = body_axis(pair.j.orientation);
     const double height = -pair.displacement.dot(n);
-    if (height > a.bounding_radius) return no_contact(history, miss, height - a.bounding_radius);
+    if (height > a.bounding_radius) return no_contact(memory, height - a.bounding_radius);
     const SrSupport support{a.support, body_axis(pair.i.orientation)};
     const SupportSample s = support(-n);
     const double overlap = s.h - height;
-    if (!(overlap > 0.0)) return no_contact(history, miss, -overlap);
+    if (!(overlap > 0.0)) return no_contact(memory, -overlap);
     const Vec3 x = s.point(-n);
     if (std::isfinite(wall.radius)) {
         const double r = axial_point(x - pair.displacement, n).r;
-        if (height < 0.0 || r > wall.radius) return no_contact(history, miss, 0.0);
+        if (height < 0.0 || r > wall.radius) return no_contact(memory, 0.0);
     }
     const ContactPoint point{x + 0.5 * overlap * n, n, overlap, 0};
     const double radius = contact_radius(law, s, a.equivalent_diameter);
-    return contact_force(point, radius, pair, law, dt, history);
+    return contact_force(point, radius, pair, law, dt, memory.history);
 }
 
 PairContact collide(const SrShape& a, const CylinderWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, PatchHistory& history, MissCache& miss) {
+                    const ContactLaw& law, double dt, const ContactMemory<PatchHistory>& memory) {
     const SrSupport support{a.support, body_axis(pair.i.orientation)};
     const Vec3 axis = body_axis(pair.j.orientation);
     WallTouch touch = wall.inside ? touch_inside(a, support, wall, axis, -pair.displacement)
                                   : touch_rod(a, support, wall, axis, -pair.displacement);
-    if (touch.count == 0) return no_contact(history, miss, touch.gap);
-    give_features(touch, history);
+    if (touch.count == 0) return no_contact(memory, touch.gap);
+    give_features(touch, memory.history);
     const double radius = contact_radius(law, touch.deepest, a.equivalent_diameter);
     return contact_force(std::span(touch.points.data(), touch.count), radius, pair, law, dt,
-                         history);
+                         memory.history);
 }
 
 }  // namespace dem

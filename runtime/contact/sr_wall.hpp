@@ -11,11 +11,11 @@
 namespace dem {
 
 PairContact collide(const SrShape& a, const PlaneWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, PointHistory& history, MissCache& miss);
+                    const ContactLaw& law, double dt, const ContactMemory<PointHistory>& memory);
 
 /// A body flatter than the inside of a cylinder touches it in two places or more: all of them
 /// together are one contact.
 PairContact collide(const SrShape& a, const CylinderWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, PatchHistory& history, MissCache& miss);
+                    const ContactLaw& law, double dt, const ContactMemory<PatchHistory>& memory);
 
 }  // namespace dem

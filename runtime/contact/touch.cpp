@@ -35,7 +35,7 @@ template <class History, class A, class B>
 bool by_support(const A& a, const B& b, const PairState& pair) {
     History history;
     MissCache miss;
-    return collide(a, b, pair, no_force, 0.0, history, miss).touches();
+    return collide(a, b, pair, no_force, 0.0, ContactMemory{history, miss}).touches();
 }
 template <class A, class B>
 bool in_closed_form(const A& a, const B& b, const PairState& pair) {

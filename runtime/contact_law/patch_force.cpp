@@ -159,62 +159,76 @@ void add_force(PairContact& contact, const Vec3& force, const Vec3& r_i, const P
     contact.torque_j -= (r_i - pair.displacement).cross(force);
 }
 
-/// Friction of the points in slots, scaled so that they stand for all.
+/// What contact_force was called with, and R* of this step.
+struct PatchCall {
+    std::span<const ContactPoint> points;
+    const PairState& pair;
+    const ContactLaw& law;
+    double dt;
+    PatchHistory& history;
+    double radius, local_radius;
+};
+
+/// By how much the points in slots stand for all.
 template <class Patch>
-void add_friction(const Patch& patch, std::span<const ContactPoint> points, const PairState& pair,
-                  const ContactLaw& law, double dt, double normal_force, PatchHistory& history,
+double slot_scale(const Patch& patch, const PatchCall& call, const PatchSlots& chosen,
+                  double normal_force) {
+    if (chosen.count == call.points.size()) return 1.0;
+    double held = 0.0;
+    for (std::size_t k = 0; k < chosen.count; ++k)
+        held += std::abs(patch.share(call.points[chosen.point[k]], call.dt).force);
+    return held > 0.0 ? normal_force / held : 1.0;
+}
+
+/// Adds the friction of the points in slots.
+template <class Patch>
+void add_friction(const Patch& patch, const PatchCall& call, double normal_force,
                   PairContact& contact) {
-    const PatchSlots chosen = choose_slots(points, history);
-    double scale = 1.0;
-    if (chosen.count < points.size()) {
-        double held = 0.0;
-        for (std::size_t k = 0; k < chosen.count; ++k)
-            held += std::abs(patch.share(points[chosen.point[k]], dt).force);
-        if (held > 0.0) scale = normal_force / held;
-    }
-    const Vec3 mean_spin = 0.5 * (pair.i.angular_velocity + pair.j.angular_velocity);
+    const PatchSlots chosen = choose_slots(call.points, call.history);
+    const double scale = slot_scale(patch, call, chosen, normal_force);
+    const double dt = call.dt;
+    const Vec3 mean_spin = 0.5 * (call.pair.i.angular_velocity + call.pair.j.angular_velocity);
     for (std::size_t k = 0; k < chosen.count; ++k) {
-        const ContactPoint& p = points[chosen.point[k]];
+        const ContactPoint& p = call.points[chosen.point[k]];
         const Share s = patch.share(p, dt);
         const Vec3 n = p.gradient.normalized();
-        PatchHistory::Slot& slot = history.slots[k];
+        PatchHistory::Slot& slot = call.history.slots[k];
         Vec3 spring = Vec3::Zero();
         if (chosen.known[k])
             spring = hertz::carried(slot.spring, slot.normal, n, mean_spin.dot(n) * dt);
         const Vec3 u_t = s.velocity - s.velocity.dot(n) * n;
-        contact.dissipated_energy +=
-            hertz::softening_loss(scale * s.k_t, spring, s.stiffness_rate, dt);
+        const double k_t = scale * s.k_t;
+        contact.dissipated_energy += hertz::softening_loss(k_t, spring, s.stiffness_rate, dt);
+        const double limit = call.law.friction * scale * std::abs(s.force);
         const hertz::TangentialForce t =
-            hertz::tangential_force(scale * s.k_t, scale * s.gamma_t,
-                                    law.friction * scale * std::abs(s.force), u_t, dt, spring);
+            hertz::tangential_force(k_t, scale * s.gamma_t, limit, u_t, dt, spring);
         slot = {p.feature, n, spring};
-        add_force(contact, t.force, p.position, pair);
+        add_force(contact, t.force, p.position, call.pair);
         contact.elastic_energy += t.elastic;
         contact.dissipated_energy += t.dissipated;
     }
-    history.used = chosen.count;
+    call.history.used = chosen.count;
 }
 
 template <class Patch>
-PairContact patch_force(const Patch& patch, double radius, double local_radius,
-                        std::span<const ContactPoint> points, const PairState& pair,
-                        const ContactLaw& law, double dt, PatchHistory& history) {
+PairContact patch_force(const PatchCall& call) {
+    const Patch patch(call.points, call.pair, call.law, call.radius);
     PairContact contact;
     double normal_force = 0.0;
-    for (const ContactPoint& p : points) {
-        const Share s = patch.share(p, dt);
-        add_force(contact, s.force * p.gradient, p.position, pair);
+    for (const ContactPoint& p : call.points) {
+        const Share s = patch.share(p, call.dt);
+        add_force(contact, s.force * p.gradient, p.position, call.pair);
         normal_force += std::abs(s.force);
         contact.elastic_energy += s.elastic;
         contact.dissipated_energy += s.dissipated;
     }
     contact.elastic_energy += patch.elastic();
-    if (law.friction > 0.0)
-        add_friction(patch, points, pair, law, dt, normal_force, history, contact);
+    if (call.law.friction > 0.0) add_friction(patch, call, normal_force, contact);
     contact.overlap = patch.overlap();
-    contact.points = static_cast<std::uint32_t>(points.size());
-    contact.dissipated_energy += hertz::age(law, local_radius, radius, patch.frequency() * dt,
-                                            contact.elastic_energy, history);
+    contact.points = static_cast<std::uint32_t>(call.points.size());
+    contact.dissipated_energy +=
+        hertz::age(call.law, call.local_radius, call.radius, patch.frequency() * call.dt,
+                   contact.elastic_energy, call.history);
     return contact;
 }
 
@@ -227,22 +241,16 @@ PairContact contact_force(std::span<const ContactPoint> points, double local_rad
         if (history.effective_radius > 0.0) history = {};
         return {};
     }
-    const double radius = hertz::effective_radius(law, local_radius, history);
-    if (law.multi_contact == ContactLaw::MultiContact::sum) {
-        return patch_force(SumPatch(points, pair, law, radius), radius, local_radius, points, pair,
-                           law, dt, history);
-    }
-    if (law.multi_contact == ContactLaw::MultiContact::deepest) {
-        ContactPoint deepest = points.front();
-        for (const ContactPoint& p : points)
-            if (p.overlap > deepest.overlap) deepest = p;
-        deepest.feature = 0;  // one spring, whichever point is deepest
-        const std::span<const ContactPoint> one(&deepest, 1);
-        return patch_force(NormPatch(one, pair, law, radius), radius, local_radius, one, pair, law,
-                           dt, history);
-    }
-    return patch_force(NormPatch(points, pair, law, radius), radius, local_radius, points, pair,
-                       law, dt, history);
+    PatchCall call{points, pair, law, dt, history, 0.0, local_radius};
+    call.radius = hertz::effective_radius(law, local_radius, history);
+    if (law.multi_contact == ContactLaw::MultiContact::sum) return patch_force<SumPatch>(call);
+    if (law.multi_contact == ContactLaw::MultiContact::norm) return patch_force<NormPatch>(call);
+    ContactPoint deepest = points.front();
+    for (const ContactPoint& p : points)
+        if (p.overlap > deepest.overlap) deepest = p;
+    deepest.feature = 0;  // one spring, whichever point is deepest
+    call.points = std::span(&deepest, 1);
+    return patch_force<NormPatch>(call);
 }
 
 }  // namespace dem

@@ -76,7 +76,7 @@ struct KernelCall {
     }
     template <class History>
     PairContact contact(History& history, MissCache& miss) const {
-        return collide(a, b, pair, law, dt, history, miss);
+        return collide(a, b, pair, law, dt, ContactMemory{history, miss});
     }
     PairContact contact(PatchHistory& history, NodeCache& cache) const {
         return collide(a, b, pair, law, dt, NodeMemory{history, cache, scratch, travel});

@@ -45,7 +45,8 @@ std::vector<PairState> pairs(const SolidBody& body, double overlap) {
             pair.displacement = middle * direction;
             PointHistory history;
             MissCache miss;
-            const PairContact c = collide(body.shape, body.shape, pair, law, 0.0, history, miss);
+            const PairContact c =
+                collide(body.shape, body.shape, pair, law, 0.0, ContactMemory{history, miss});
             const bool too_near =
                 c.touches() ? c.overlap > overlap : overlap < 0.0 && miss.gap < -overlap;
             (too_near ? low : high) = middle;
@@ -92,8 +93,8 @@ void continuous(benchmark::State& state, const SolidBody& body, double overlap, 
         }
         state.ResumeTiming();
         for (std::size_t k = 0; k < pair_count; ++k)
-            benchmark::DoNotOptimize(
-                collide(body.shape, body.shape, all[k], law, dt, histories[k], caches[k]));
+            benchmark::DoNotOptimize(collide(body.shape, body.shape, all[k], law, dt,
+                                             ContactMemory{histories[k], caches[k]}));
     }
     report(state);
 }
@@ -156,13 +157,15 @@ void inside_cylinder(benchmark::State& state, const SolidBody& body) {
             const double r = 0.5 * (low + high);
             p.displacement = -r * Vec3(std::cos(angle), std::sin(angle), 0.0);
             PatchHistory history;
-            (collide(body.shape, wall, p, law, dt, history, miss).overlap > 5e-6 ? high : low) = r;
+            (collide(body.shape, wall, p, law, dt, ContactMemory{history, miss}).overlap > 5e-6
+                 ? high
+                 : low) = r;
         }
     }
     for (auto _ : state)
         for (std::size_t k = 0; k < pair_count; ++k)
             benchmark::DoNotOptimize(
-                collide(body.shape, wall, all[k], law, dt, histories[k], miss));
+                collide(body.shape, wall, all[k], law, dt, ContactMemory{histories[k], miss}));
     report(state);
 }
 

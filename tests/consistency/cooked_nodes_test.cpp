@@ -109,7 +109,8 @@ TEST(CookedNodes, TheOverlapOfConvexShapesIsThatOfTheCommonNormalUpToTheSpacingO
     for (int trial = 0; trial < 2000 && touching < 300; ++trial) {
         const PairState pair = random_pair(fine, fine, random);
         Remembered exact(fine);
-        const PairContact c = collide(fine, fine, pair, law(), 1e-6, exact.point, exact.miss);
+        const PairContact c =
+            collide(fine, fine, pair, law(), 1e-6, ContactMemory{exact.point, exact.miss});
         if (c.overlap < 2e-4 || c.overlap > 8e-4) continue;
         ++touching;
         Remembered by_few(coarse);
@@ -140,7 +141,7 @@ TEST(CookedNodes, AWallFeelsTheSameOverlapByNodesAndBySupport) {
         Remembered exact(shape);
         Remembered by_nodes(shape);
         const PairContact c =
-            collide(shape, PlaneWall{}, pair, law(), 1e-6, exact.point, exact.miss);
+            collide(shape, PlaneWall{}, pair, law(), 1e-6, ContactMemory{exact.point, exact.miss});
         const PairContact n = collide(shape, PlaneWall{}, pair, law(), 1e-6, by_nodes.nodes());
         if (c.overlap > 2e-5) {
             EXPECT_NEAR(n.overlap, c.overlap, 1.5e-5);

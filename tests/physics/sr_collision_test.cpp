@@ -52,7 +52,7 @@ TEST_P(ElasticBounce, KeepsTheKineticEnergy) {
         MissCache miss;
         for (;;) {
             b.j.position = distance * direction + offset;
-            collide(solid.shape, solid.shape, b.pair(), law, 0.0, history, miss);
+            collide(solid.shape, solid.shape, b.pair(), law, 0.0, ContactMemory{history, miss});
             if (miss.gap < 1e-5) break;
             distance -= 0.9 * miss.gap;
         }
@@ -60,7 +60,7 @@ TEST_P(ElasticBounce, KeepsTheKineticEnergy) {
         b.j.velocity = -0.1 * direction;
         const double before = b.kinetic_energy();
         run_until_apart(b, 1e-6, [&](const PairState& pair, double dt) {
-            return collide(solid.shape, solid.shape, pair, law, dt, history, miss);
+            return collide(solid.shape, solid.shape, pair, law, dt, ContactMemory{history, miss});
         });
         sum += std::abs(b.kinetic_energy() / before - 1.0);
     }
@@ -107,12 +107,12 @@ TEST(TabletOnPlane, ReboundFollowsTheRigidBodyAtTwentyAngles) {
         PointHistory history;
         MissCache miss;
         b.i.position.z() = 8e-3;
-        collide(solid.shape, PlaneWall{}, b.pair(), law, 0.0, history, miss);
+        collide(solid.shape, PlaneWall{}, b.pair(), law, 0.0, ContactMemory{history, miss});
         b.i.position.z() -= miss.gap;
-        collide(solid.shape, PlaneWall{}, b.pair(), law, 0.0, history, miss);
+        collide(solid.shape, PlaneWall{}, b.pair(), law, 0.0, ContactMemory{history, miss});
         b.i.position.z() += -miss.gap + 1e-8;
         run_until_apart(b, 1e-7, [&](const PairState& pair, double dt) {
-            return collide(solid.shape, PlaneWall{}, pair, law, dt, history, miss);
+            return collide(solid.shape, PlaneWall{}, pair, law, dt, ContactMemory{history, miss});
         });
         // Relative to the change of velocity (1 + e) V and to the largest spin of all angles.
         const double error_v = std::abs(b.i.velocity.z() + speed) / (1.0 + e);

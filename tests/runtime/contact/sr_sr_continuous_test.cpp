@@ -72,15 +72,18 @@ TEST(SrSrContinuous, TheMissCacheNeverChangesABit) {
             pair = moved(pair, dt);
             MissCache fresh;
             MissCache wild{random.direction(), -1.0};
-            const PairContact c = collide(a.shape, b.shape, pair, law, dt, kept_history, kept);
-            EXPECT_TRUE(
-                same_bits(c, collide(a.shape, b.shape, pair, law, dt, fresh_history, fresh)));
-            EXPECT_TRUE(same_bits(c, collide(a.shape, b.shape, pair, law, dt, wild_history, wild)));
+            const PairContact c =
+                collide(a.shape, b.shape, pair, law, dt, ContactMemory{kept_history, kept});
+            EXPECT_TRUE(same_bits(
+                c, collide(a.shape, b.shape, pair, law, dt, ContactMemory{fresh_history, fresh})));
+            EXPECT_TRUE(same_bits(
+                c, collide(a.shape, b.shape, pair, law, dt, ContactMemory{wild_history, wild})));
             quiet -= dt * ((pair.j.velocity - pair.i.velocity).norm() +
                            10.0 * (a.shape.bounding_radius + b.shape.bounding_radius));
             PairContact skipped;
             if (quiet <= 0.0) {
-                skipped = collide(a.shape, b.shape, pair, law, dt, lazy_history, lazy);
+                skipped =
+                    collide(a.shape, b.shape, pair, law, dt, ContactMemory{lazy_history, lazy});
                 quiet = skipped.touches() ? 0.0 : lazy.gap;
             }
             EXPECT_TRUE(same_bits(c, skipped));
@@ -105,8 +108,8 @@ TEST(SrSrContinuous, SwappingThePairFlipsSignsOnly) {
         PointHistory h2;
         MissCache m1;
         MissCache m2;
-        const PairContact c = collide(a.shape, b.shape, pair, law, 1e-6, h1, m1);
-        const PairContact s = collide(b.shape, a.shape, swapped, law, 1e-6, h2, m2);
+        const PairContact c = collide(a.shape, b.shape, pair, law, 1e-6, ContactMemory{h1, m1});
+        const PairContact s = collide(b.shape, a.shape, swapped, law, 1e-6, ContactMemory{h2, m2});
         // Deep overlaps have several local minima; contacts are shallow.
         if (c.overlap > 2e-4 || s.overlap > 2e-4) continue;
         ASSERT_EQ(c.touches(), s.touches());
@@ -138,8 +141,10 @@ TEST(SrSrContinuous, ARigidMotionOfThePairTurnsTheForceWithIt) {
         PointHistory h2;
         MissCache m1;
         MissCache m2;
-        const PairContact c = collide(body.shape, body.shape, pair, law, 1e-6, h1, m1);
-        const PairContact t = collide(body.shape, body.shape, turned, law, 1e-6, h2, m2);
+        const PairContact c =
+            collide(body.shape, body.shape, pair, law, 1e-6, ContactMemory{h1, m1});
+        const PairContact t =
+            collide(body.shape, body.shape, turned, law, 1e-6, ContactMemory{h2, m2});
         if (!c.touches() || c.overlap > 5e-4) continue;
         EXPECT_LT((turn * c.force - t.force).norm(), 1e-7 * c.force.norm());
     }
@@ -162,11 +167,11 @@ TEST(SrSrContinuous, ASphereIsTheSameAsASurfaceOfRevolution) {
         };
         PointHistory h2;
         MissCache miss;
-        compare(collide(body.shape, body.shape, pair, law, 1e-6, h2, miss));
+        compare(collide(body.shape, body.shape, pair, law, 1e-6, ContactMemory{h2, miss}));
         h2 = {};
-        compare(collide(sphere, body.shape, pair, law, 1e-6, h2, miss));
+        compare(collide(sphere, body.shape, pair, law, 1e-6, ContactMemory{h2, miss}));
         h2 = {};
-        compare(collide(body.shape, sphere, pair, law, 1e-6, h2, miss));
+        compare(collide(body.shape, sphere, pair, law, 1e-6, ContactMemory{h2, miss}));
     }
 }
 
@@ -179,11 +184,15 @@ TEST(SrSrContinuous, TheProvenGapIsSafe) {
         PairState pair = random_pair(a, b, random);
         PointHistory history;
         MissCache miss;
-        if (collide(a.shape, b.shape, pair, rough_law(), 1e-6, history, miss).touches()) continue;
+        if (collide(a.shape, b.shape, pair, rough_law(), 1e-6, ContactMemory{history, miss})
+                .touches())
+            continue;
         ASSERT_GE(miss.gap, 0.0);
         pair.displacement += 0.9999 * miss.gap * random.direction();
         MissCache fresh;
-        EXPECT_FALSE(collide(a.shape, b.shape, pair, rough_law(), 1e-6, history, fresh).touches());
+        EXPECT_FALSE(
+            collide(a.shape, b.shape, pair, rough_law(), 1e-6, ContactMemory{history, fresh})
+                .touches());
     }
 }
 

@@ -182,16 +182,16 @@ TEST(SrWall, ASphereAsSurfaceOfRevolutionTouchesLikeASphere) {
         place(random.uniform(-20e-3, 20e-3) * local_radial + random.uniform(2.9e-3, 3.05e-3) * z);
         const PlaneWall disc{15e-3};
         expect_same(collide(sphere, disc, pair, law, 1e-6, h1),
-                    collide(body.shape, disc, pair, law, 1e-6, h2, miss));
+                    collide(body.shape, disc, pair, law, 1e-6, ContactMemory{h2, miss}));
         h1 = {};
         place(random.uniform(16.95e-3, 17.1e-3) * local_radial + random.uniform(-5e-3, 55e-3) * z);
         expect_same(collide(sphere, inside, pair, law, 1e-6, h1),
-                    collide(body.shape, inside, pair, law, 1e-6, h3, miss));
+                    collide(body.shape, inside, pair, law, 1e-6, ContactMemory{h3, miss}));
         h1 = {};
         h3 = {};
         place(random.uniform(0.0, 8e-3) * local_radial + random.uniform(50.0e-3, 53e-3) * z);
         expect_same(collide(sphere, rod, pair, law, 1e-6, h1),
-                    collide(body.shape, rod, pair, law, 1e-6, h3, miss));
+                    collide(body.shape, rod, pair, law, 1e-6, ContactMemory{h3, miss}));
     }
 }
 
