@@ -17,6 +17,8 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
     std::snprintf(hash, sizeof hash, "%016" PRIx64, summary.state_hash);
     Json measures = Json::object();
     for (const auto& [name, value] : summary.measures) measures[name] = value;
+    Json missing = Json::object();
+    for (const auto& [group, count] : summary.missing) missing[group] = count;
     Json inputs = Json::object();
     for (const auto& [name, input_hash] : summary.inputs) inputs[name] = input_hash;
     const Json json = {{"case", summary.case_path},
@@ -25,6 +27,7 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
                        {"time", summary.time},
                        {"time_step", summary.time_step},
                        {"particles", summary.particles},
+                       {"missing", missing},
                        {"wall_time", summary.wall_time},
                        {"microseconds_per_particle_step", summary.microseconds_per_particle_step},
                        {"threads", summary.threads},

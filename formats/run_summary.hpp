@@ -17,7 +17,8 @@ struct RunSummary {
     double time = 0.0;       ///< simulated [s]
     double time_step = 0.0;  ///< [s]
     std::uint64_t particles = 0;
-    double wall_time = 0.0;                       ///< [s]
+    std::vector<std::pair<std::string, std::uint64_t>> missing;  ///< bodies never placed, by group
+    double wall_time = 0.0;                                      ///< [s]
     double microseconds_per_particle_step = 0.0;  ///< wall time over all particle steps
     int threads = 1;
     std::uint64_t seed = 0;

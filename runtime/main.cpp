@@ -118,11 +118,35 @@ void report(const dem::RunResult& result, const std::string& directory) {
               << directory << "\n";
 }
 
-void run(const CommandLine& line) {
+/// One line per group of which bodies are missing. Returns whether a region could not hold what the
+/// case wanted in it; bodies that were not due yet are what the user asked for.
+bool report_missing(const dem::RunResult& result) {
+    const bool is_interrupted = result.end == dem::RunResult::End::interrupted;
+    bool failed = false;
+    for (const dem::MissingBodies& group : result.missing) {
+        if (is_interrupted && group.crowded_out == 0) continue;
+        const bool is_error = !is_interrupted && group.crowded_out > 0;
+        std::cerr << "demrun: " << (is_error ? "error: " : "warning: ") << group.where
+                  << ": [particles." << group.group << "]: " << group.placed << " of "
+                  << group.count << " bodies were placed, ";
+        if (group.crowded_out > 0) {
+            std::cerr << group.crowded_out
+                      << " more found their region occupied when they were due, expected a larger "
+                         "region or longer times between the batches\n";
+        } else {
+            std::cerr << "the others were not due by " << result.time << " s\n";
+        }
+        failed = failed || is_error;
+    }
+    return failed;
+}
+
+/// The exit code.
+int run(const CommandLine& line) {
     dem::Scene scene = scene_of(line);
     if (line.check) {
         std::cout << dem::check_scene(scene);
-        return;
+        return 0;
     }
     std::signal(SIGINT, request_stop);
     std::signal(SIGTERM, request_stop);
@@ -134,6 +158,7 @@ void run(const CommandLine& line) {
     run_options.stop_requested = &stop_requested;
     const dem::RunResult result = dem::run(std::move(scene), run_options);
     if (!line.quiet) report(result, directory);
+    return report_missing(result) ? 1 : 0;
 }
 
 }  // namespace
@@ -149,7 +174,7 @@ int main(int argc, char** argv) {
         } else if (values.count("keys") != 0) {
             std::cout << dem::describe_keys();
         } else {
-            run(command_line(values));
+            return run(command_line(values));
         }
         return 0;
     } catch (const dem::UsageError& error) {

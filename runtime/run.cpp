@@ -27,6 +27,21 @@ void report(const RunOptions& options, const Simulation& simulation) {
                              std::to_string(simulation.particles().size()) + " particles");
 }
 
+std::vector<MissingBodies> missing_bodies(const Simulation& simulation) {
+    const Inserter& inserter = simulation.inserter();
+    std::vector<MissingBodies> result;
+    for (std::uint32_t g = 0; g < simulation.scene().insertions.size(); ++g) {
+        const std::uint64_t missing = inserter.missing(g);
+        if (missing == 0) continue;
+        const InsertionGroup& group = simulation.scene().insertions[g];
+        const std::uint64_t count =
+            group.mode == InsertionGroup::Mode::file ? group.placements.size() : group.count;
+        result.push_back(
+            {group.name, group.where, count, count - missing, inserter.crowded_out(g)});
+    }
+    return result;
+}
+
 }  // namespace
 
 RunResult run(Scene scene, const RunOptions& options) {
@@ -67,6 +82,7 @@ RunResult run(Scene scene, const RunOptions& options) {
             1e6 * elapsed.count() / static_cast<double>(particle_steps);
     }
     result.state_hash = simulation.state_hash();
+    result.missing = missing_bodies(simulation);
     outputs.finish(simulation, result);
     return result;
 }

@@ -6,6 +6,8 @@
 
 #include <csignal>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace dem {
 
@@ -13,6 +15,15 @@ struct RunOptions {
     Progress* progress = nullptr;  ///< updated with the simulated time, out of Scene::run.end_time
     /// Set by a signal handler: the run ends after the current step and keeps everything.
     const volatile std::sig_atomic_t* stop_requested = nullptr;
+};
+
+/// A group of which not every body came in.
+struct MissingBodies {
+    std::string group;
+    std::string where;              ///< "case.ini:31", for messages
+    std::uint64_t count = 0;        ///< bodies of the group
+    std::uint64_t placed = 0;       ///< so many of them came in
+    std::uint64_t crowded_out = 0;  ///< were due and found no room; the others were not due yet
 };
 
 struct RunResult {
@@ -25,6 +36,7 @@ struct RunResult {
     double wall_time = 0.0;                       ///< of the time loop [s]
     double microseconds_per_particle_step = 0.0;  ///< wall time over all particle steps
     std::uint64_t state_hash = 0;                 ///< simulation.hpp, Simulation::state_hash
+    std::vector<MissingBodies> missing;           ///< in the order of the case
 };
 
 /// Runs a scene from time 0 to its end and writes frames.h5 and frames.xdmf, history.csv, final.csv

@@ -128,6 +128,10 @@ std::uint64_t Inserter::missing(std::uint32_t group) const {
     return groups_[group].count - groups_[group].placed;
 }
 
+std::uint64_t Inserter::crowded_out(std::uint32_t group) const {
+    return groups_[group].due - groups_[group].placed;
+}
+
 std::uint32_t Inserter::insert_due(const Scene& scene, Particles& particles, double time) {
     const std::uint32_t before = particles.size();
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
@@ -144,6 +148,8 @@ void Inserter::insert_group(const Scene& scene, std::uint32_t g, Particles& part
     const Aabb room = group.mode == Mode::file ? everywhere() : bounds(group.region);
     Occupancy occupancy(scene, particles, room, time);
     Placements placed;
+    const bool all = group.mode != Mode::batches;
+    progress.due = all ? progress.count : std::min(progress.count, progress.due + group.batch);
     switch (group.mode) {
         case Mode::at_once:
             placed = all_at_once(scene, g, occupancy);

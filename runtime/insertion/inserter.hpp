@@ -29,11 +29,15 @@ class Inserter {
     /// How many bodies of a group have not been placed (yet).
     std::uint64_t missing(std::uint32_t group) const;
 
+    /// How many of those were due in a batch that found no room for them.
+    std::uint64_t crowded_out(std::uint32_t group) const;
+
   private:
     void insert_group(const Scene& scene, std::uint32_t group, Particles& particles, double time);
 
     struct Progress {
         std::uint64_t count = 0;   ///< bodies of the group
+        std::uint64_t due = 0;     ///< asked for so far
         std::uint64_t placed = 0;  ///< so far; also the index of the next body within the group
         std::uint64_t events = 0;  ///< insertion times gone by
         double next = 0.0;         ///< [s]

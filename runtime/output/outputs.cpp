@@ -170,6 +170,7 @@ void Outputs::finish(const Simulation& simulation, const RunResult& result) {
                        .time = result.time,
                        .time_step = result.time_step,
                        .particles = result.particles,
+                       .missing = {},
                        .wall_time = result.wall_time,
                        .microseconds_per_particle_step = result.microseconds_per_particle_step,
                        .threads = omp_get_max_threads(),
@@ -177,6 +178,9 @@ void Outputs::finish(const Simulation& simulation, const RunResult& result) {
                        .state_hash = result.state_hash,
                        .measures = {},
                        .inputs = {}};
+    for (const MissingBodies& group : result.missing) {
+        summary.missing.emplace_back(group.group, group.count - group.placed);
+    }
     const auto columns = measure_columns(scene);
     const auto values = measure_values(simulation);
     for (std::size_t k = 0; k < columns.size(); ++k) {

@@ -119,6 +119,28 @@ TEST_F(Demrun, AFolderThatCannotBeWrittenIsAnErrorBeforeTheRun) {
     EXPECT_EQ(content(folder_ / "taken"), "a file");
 }
 
+TEST_F(Demrun, BodiesThatFoundNoRoomAreCountedAndFailTheRun) {
+    const std::string pour =
+        "case.ini --quiet --set particles.balls.insert=batches --set particles.balls.every=4ms "
+        "--set particles.balls.batch=10 --set run.end_time=9ms --set particles.balls.count=";
+    const Outcome crowd = demrun(pour + "120 --set particles.balls.batch=50");
+    EXPECT_EQ(crowd.code, 1);
+    EXPECT_TRUE(crowd.errors.starts_with("demrun: error: case.ini:10: [particles.balls]: "))
+        << crowd.errors;
+    EXPECT_NE(crowd.errors.find(" of 120 bodies were placed, "), std::string::npos) << crowd.errors;
+    EXPECT_EQ(crowd.errors.find('\n'), crowd.errors.size() - 1) << crowd.errors;
+    EXPECT_NE(content(folder_ / "case/summary.json").find("\"balls\": "), std::string::npos);
+    EXPECT_TRUE(fs::exists(folder_ / "case/final.csv")) << "what was computed is kept";
+
+    const Outcome early = demrun(pour +
+                                 "20 --set run.end_time=0.5ms "
+                                 "--set run.time_step=5us");
+    EXPECT_EQ(early.code, 0) << "the second batch was not due";
+    EXPECT_EQ(early.errors,
+              "demrun: warning: case.ini:10: [particles.balls]: 10 of 20 bodies were placed, the "
+              "others were not due by 0.0005 s\n");
+}
+
 TEST_F(Demrun, AnInterruptKeepsWhatWasComputed) {
     const Outcome outcome = run_command("timeout --preserve-status --signal INT 2 " +
                                             program("demrun") + " case.ini --set run.end_time=1h",

@@ -209,6 +209,7 @@ TEST_F(InsertBatches, ComeWhenTheyAreDue) {
     EXPECT_DOUBLE_EQ(inserter_.next_time(), 0.25);
     for (Vec3& p : particles_.position) p.z() -= 0.06;
     EXPECT_EQ(inserter_.missing(0), 4U);
+    EXPECT_EQ(inserter_.crowded_out(0), 0U) << "not due yet";
     EXPECT_EQ(inserter_.insert_due(scene_, particles_, 0.2501), 4U) << "the rest of 20";
     EXPECT_EQ(inserter_.missing(0), 0U);
     EXPECT_EQ(inserter_.next_time(), std::numeric_limits<double>::infinity());
@@ -224,6 +225,7 @@ TEST_F(InsertBatches, WaitWhileTheirRegionIsOccupied) {
     EXPECT_EQ(total, particles_.size());
     EXPECT_LT(total, 20U);
     EXPECT_EQ(inserter_.missing(0), 20U - total);
+    EXPECT_EQ(inserter_.crowded_out(0), 20U - total) << "all were due by now";
     for (Vec3& p : particles_.position) p.z() -= 0.06;
     EXPECT_GT(inserter_.insert_due(scene_, particles_, 1.0), 0U);
     EXPECT_GT(inserter_.next_time(), 1.0) << "missed times are not made up";
