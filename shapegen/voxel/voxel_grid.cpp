@@ -25,10 +25,11 @@ VoxelGrid enclosing_grid(const Aabb& box, double spacing) {
         message << "found a spacing of " << spacing << " m, expected a positive length";
         throw Error("voxels", message.str());
     }
+    if (box.is_empty()) throw Error("voxels", "found no shape, expected a mesh with triangles");
     const Vec3 extent = box.upper - box.lower;
     const Vec3 inner = (extent / spacing).array().ceil().max(1.0);
     const Vec3 size = inner.array() + 2.0;
-    if (!(size.prod() <= most_voxels) || !(size.maxCoeff() <= most_along_an_axis)) {
+    if (!extent.allFinite() || size.prod() > most_voxels || size.maxCoeff() > most_along_an_axis) {
         std::ostringstream message;
         message << "found a spacing of " << spacing << " m for a shape of " << extent.x() << " x "
                 << extent.y() << " x " << extent.z() << " m, expected at most " << most_voxels
