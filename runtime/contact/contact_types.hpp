@@ -85,7 +85,8 @@ struct PointHistory {
     StoredVec3 normal;  ///< last unit normal, from j towards i
     StoredVec3 spring;  ///< tangential spring, half a step ahead [m], normal to `normal`
     double effective_radius = 0.0;  ///< R* frozen at the onset of the contact [m]
-    double phase = 0.0;  ///< age in radians of its own oscillation; counts in laps once settled
+    double phase = 0.0;      ///< age in radians of its own oscillation; counts in laps once settled
+    double stiffness = 0.0;  ///< k_t of the step before [N/m]; for the energy ledger alone
 };
 static_assert(std::is_trivially_copyable_v<PointHistory>);
 

@@ -30,7 +30,8 @@ struct PatchHistory {
     struct Slot {
         std::uint64_t feature = 0;
         StoredVec3 normal;
-        StoredVec3 spring;  ///< [m]
+        StoredVec3 spring;       ///< [m]
+        double stiffness = 0.0;  ///< k_t of the step before [N/m]; for the energy ledger alone
     };
     double effective_radius = 0.0;  ///< R* frozen at onset [m]
     double phase = 0.0;             ///< age in radians of its own oscillation

@@ -65,8 +65,9 @@ inline Coefficients coefficients(const ContactLaw& law, double radius, double ov
     return c;
 }
 
-/// Lets R* drift, ages the contact by `turn` [rad] and returns the elastic energy that the change
-/// of R* took away [J]. Both k_n and k_t, so also the stored energy, go with sqrt(R*).
+/// Lets R* drift, ages the contact by `turn` [rad] and returns what the change of R* took away of
+/// the energy `elastic` of the normal spring [J], which goes with sqrt(R*). What it takes from the
+/// tangential spring, softening_loss finds in the next step.
 template <class History>
 double age(const ContactLaw& law, double local_radius, double radius, double turn, double elastic,
            History& history) {
@@ -111,6 +112,9 @@ struct TangentialForce {
 /// at the onset of a Hertzian contact the impact would depend on the time step without limit.
 /// The slip force keeps the direction of the force it replaces: along -u_t in steady slip, along
 /// the spring when the limit falls below it while the contact springs back.
+/// Slip takes the force of the cut spring, averaged over the step, along the way that was cut off:
+/// the spring's own loss of energy counts the whole way at the stretched length and is more by half
+/// of k_t u_t dt times that way, an error of first order in dt.
 inline TangentialForce tangential_force(double k_t, double gamma_t, double limit, const Vec3& u_t,
                                         double dt, Vec3& lead) {
     const Vec3 half_way = 0.5 * dt * u_t;
@@ -118,23 +122,25 @@ inline TangentialForce tangential_force(double k_t, double gamma_t, double limit
     Vec3 force = -k_t * spring - gamma_t * u_t;
     const double before = 0.5 * k_t * spring.squaredNorm();
     double elastic = before;
+    double slip = 0.0;
     const double size2 = force.squaredNorm();
     if (size2 > limit * limit) {
         force *= limit / std::sqrt(size2);
         const Vec3 spring_force = force + gamma_t * u_t;
         spring = spring_force.dot(force) > 0.0 ? Vec3(spring_force / -k_t) : Vec3::Zero();
         elastic = 0.5 * k_t * spring.squaredNorm();
+        slip = before - elastic - k_t * half_way.dot(lead + half_way - spring);
     }
     lead = spring + half_way;
     const double dashpot = -(force + k_t * spring).dot(u_t) * dt;
-    return {force, elastic, dashpot + (before - elastic)};
+    return {force, elastic, dashpot + slip};
 }
 
-/// Energy that a spring of stiffness k_t, carried over from the step before, lost because k_t
-/// changes at the relative rate r [1/s] [J]: k_t ~ sqrt(d) was k_t sqrt(1 - 2 r dt).
-inline double softening_loss(double k_t, const Vec3& spring, double rate, double dt) {
-    const double before = std::sqrt(std::max(0.0, 1.0 - 2.0 * rate * dt));
-    return 0.5 * k_t * spring.squaredNorm() * (before - 1.0);
+/// Energy that a spring lost because its stiffness is k_t and was `before` in the last step [J].
+/// `lead`, from the history: the spring half way between the two steps, where the change of
+/// stiffness at constant length and that of length at constant stiffness separate.
+inline double softening_loss(double before, double k_t, const Vec3& lead) {
+    return 0.5 * (before - k_t) * lead.squaredNorm();
 }
 
 }  // namespace dem::hertz

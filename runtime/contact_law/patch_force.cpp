@@ -31,12 +31,11 @@ Vec3 relative_velocity(const PairState& pair, const Vec3& r_i) {
 
 /// What one point contributes.
 struct Share {
-    Vec3 velocity;          ///< relative, at the point [m/s]
-    double force;           ///< along the gradient [N]
-    double k_t, gamma_t;    ///< of its tangential spring and dashpot
-    double stiffness_rate;  ///< of change of k_t, relative [1/s]
-    double elastic;         ///< normal part, where points have their own [J]
-    double dissipated;      ///< normal part [J]
+    Vec3 velocity;        ///< relative, at the point [m/s]
+    double force;         ///< along the gradient [N]
+    double k_t, gamma_t;  ///< of its tangential spring and dashpot
+    double elastic;       ///< normal part, where points have their own [J]
+    double dissipated;    ///< normal part [J]
 };
 
 /// multi_contact = norm: one potential for the pair.
@@ -63,8 +62,6 @@ class NormPatch {
             t_j += (p.position - pair.displacement).cross(wg);
             weights += w;
         }
-        rate_ = -(g.dot(pair.i.velocity - pair.j.velocity) + t_i.dot(pair.i.angular_velocity) -
-                  t_j.dot(pair.j.angular_velocity));
         // gamma = sqrt(5) |beta| sqrt(m_e W^2 k_n): one point and many coinciding ones are the
         // same.
         const double inverse_mass = law.damping_mass == ContactLaw::DampingMass::contact
@@ -85,8 +82,6 @@ class NormPatch {
         s.dissipated = (s.force - spring) * rate * dt;
         s.k_t = w * c.k_t;
         s.gamma_t = w * c.gamma_t;
-        // k_t ~ w_k sqrt(d) and w_k = (d_k / d)^15.
-        s.stiffness_rate = 15.0 * rate / p.overlap - 14.5 * rate_ / overlap_;
         return s;
     }
 
@@ -98,7 +93,6 @@ class NormPatch {
     const PairState& pair_;
     bool limit_;
     double overlap_ = 0.0;
-    double rate_ = 0.0;  ///< of the generalised overlap [m/s]
     hertz::Coefficients coefficients_{};
 };
 
@@ -126,7 +120,6 @@ class SumPatch {
         s.dissipated = (s.force - spring) * rate * dt;
         s.k_t = c.k_t;
         s.gamma_t = c.gamma_t;
-        s.stiffness_rate = 0.5 * rate / p.overlap;
         s.elastic = 0.4 * spring * p.overlap;
         return s;
     }
@@ -198,11 +191,11 @@ void add_friction(const Patch& patch, const PatchCall& call, double normal_force
             spring = hertz::carried(slot.spring, slot.normal, n, mean_spin.dot(n) * dt);
         const Vec3 u_t = s.velocity - s.velocity.dot(n) * n;
         const double k_t = scale * s.k_t;
-        contact.dissipated_energy += hertz::softening_loss(k_t, spring, s.stiffness_rate, dt);
+        contact.dissipated_energy += hertz::softening_loss(slot.stiffness, k_t, spring);
         const double limit = call.law.friction * scale * std::abs(s.force);
         const hertz::TangentialForce t =
             hertz::tangential_force(k_t, scale * s.gamma_t, limit, u_t, dt, spring);
-        slot = {p.feature, n, spring};
+        slot = {p.feature, n, spring, k_t};
         add_force(contact, t.force, p.position, call.pair);
         contact.elastic_energy += t.elastic;
         contact.dissipated_energy += t.dissipated;
@@ -223,12 +216,13 @@ PairContact patch_force(const PatchCall& call) {
         contact.dissipated_energy += s.dissipated;
     }
     contact.elastic_energy += patch.elastic();
+    const double normal_elastic = contact.elastic_energy;
     if (call.law.friction > 0.0) add_friction(patch, call, normal_force, contact);
     contact.overlap = patch.overlap();
     contact.points = static_cast<std::uint32_t>(call.points.size());
     contact.dissipated_energy +=
         hertz::age(call.law, call.local_radius, call.radius, patch.frequency() * call.dt,
-                   contact.elastic_energy, call.history);
+                   normal_elastic, call.history);
     return contact;
 }
 

@@ -48,7 +48,8 @@ inline PointForce point_force(const PointMotion& point, double local_radius, con
 
     PointForce f{spring_force + c.gamma_n * rate, Vec3::Zero(), 0.0, 0.0};
     if (law.limit_force) f.normal = std::max(f.normal, 0.0);
-    f.elastic = 0.4 * spring_force * point.overlap;
+    const double normal_elastic = 0.4 * spring_force * point.overlap;
+    f.elastic = normal_elastic;
     f.dissipated = (f.normal - spring_force) * rate * dt;
 
     if (law.friction > 0.0) {
@@ -56,16 +57,18 @@ inline PointForce point_force(const PointMotion& point, double local_radius, con
         Vec3 spring = Vec3::Zero();
         if (history.effective_radius > 0.0)
             spring = hertz::carried(history.spring, history.normal, n, point.spin * dt);
-        f.dissipated += hertz::softening_loss(c.k_t, spring, 0.5 * rate / point.overlap, dt);
+        f.dissipated += hertz::softening_loss(history.stiffness, c.k_t, spring);
         const hertz::TangentialForce t = hertz::tangential_force(
             c.k_t, c.gamma_t, law.friction * std::abs(f.normal), u_t, dt, spring);
         history.spring = spring;
+        history.stiffness = c.k_t;
         f.tangential = t.force;
         f.elastic += t.elastic;
         f.dissipated += t.dissipated;
     }
     history.normal = n;
-    f.dissipated += hertz::age(law, local_radius, radius, c.frequency * dt, f.elastic, history);
+    f.dissipated +=
+        hertz::age(law, local_radius, radius, c.frequency * dt, normal_elastic, history);
     return f;
 }
 

@@ -311,8 +311,8 @@ TEST(SphereCollision, EnergyLedgerClosesAsTheStepShrinks) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         const double coarse = ledger_error(seed, 1e-6, law);
         const double fine = ledger_error(seed, 1e-7, law);
-        EXPECT_LT(coarse, 5e-4);
-        EXPECT_LT(fine, 5e-5);
+        EXPECT_LT(coarse, 2e-4);
+        EXPECT_LT(fine, 2.5e-5);
     }
 }
 

@@ -83,6 +83,35 @@ TEST(Simulation, EnergyLedgerClosesBetterWithSmallerSteps) {
     EXPECT_LT(fine, 0.4 * coarse);
 }
 
+// Every pair of kinds, one and many points, slip and stick, while a bed comes to rest.
+TEST(Simulation, EnergyLedgerOfASettlingBedClosesAsTheStepShrinks) {
+    const auto worst_residual = [](double dt) {
+        Scene scene = scenes::one_material({2e7, 1400.0, 0.6, 0.4});
+        static const ParticleTemplate candy = scenes::candy(300);
+        static const ParticleTemplate peanut = scenes::peanut(300);
+        scenes::add_kind(scene, candy);
+        scenes::add_kind(scene, peanut);
+        scenes::add_kind(scene, scenes::sphere(5e-3));
+        std::vector<BodyPlacement> bodies = scenes::column(15, 3, 18e-3, 13.5e-3);
+        for (BodyPlacement& body : bodies) body.velocity = {0.3, 0.2, -0.5};
+        scene.insertions.push_back(scenes::placed(bodies));
+        scenes::add_vessel(scene, 18e-3);
+        Simulation simulation(std::move(scene), dt);
+        double worst = 0.0;
+        while (simulation.time() < 0.1) {
+            simulation.step();
+            if (simulation.steps() % 100 != 0) continue;
+            worst = std::max(worst, std::abs(energies(simulation).residual()));
+        }
+        EXPECT_GT(energies(simulation).dissipated, 0.2 * simulation.inserted_energy());
+        return worst / simulation.inserted_energy();
+    };
+    const double coarse = worst_residual(2e-5);
+    const double fine = worst_residual(5e-6);
+    EXPECT_LT(coarse, 1e-3);
+    EXPECT_LT(fine, 0.4 * coarse);
+}
+
 TEST(Simulation, ABodyThatLeavesIsNamedWithStepAndTime) {
     Scene scene = spheres_over_a_floor({at(0.0, 0.0, 1.0)});
     scene.run.domain = Aabb{Vec3(-1.0, -1.0, 0.9), Vec3(1.0, 1.0, 2.0)};
