@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "common/shapes/triangle_mesh_tree.hpp"
+
+namespace dem {
+
+/// Questions to the surface of a solid: nearest points, distances, inside or outside. Built once
+/// per mesh; queries change nothing and may run in any number of threads.
+class SurfaceQuery {
+  public:
+    /// The mesh is closed and outward (TriangleMesh); it is copied.
+    explicit SurfaceQuery(TriangleMesh mesh);
+
+    const TriangleMesh& mesh() const { return mesh_; }
+
+    /// The point of the surface nearest to p; of equally near triangles the one with the lowest
+    /// index.
+    SurfacePoint nearest(const Vec3& p) const { return tree_.nearest(p); }
+
+    /// Unsigned distance to the surface [m], exact up to rounding.
+    double distance(const Vec3& p) const { return tree_.nearest(p).distance; }
+
+    /// True inside and on the surface. Exact: decided by exact predicates, also for rays through
+    /// edges and corners. Where shells overlap, their union is inside.
+    bool is_inside(const Vec3& p) const;
+
+    /// Distance to the surface [m], negative inside.
+    double signed_distance(const Vec3& p) const;
+
+  private:
+    TriangleMesh mesh_;
+    TriangleMeshTree tree_;
+};
+
+}  // namespace dem
