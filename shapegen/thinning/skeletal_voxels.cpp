@@ -5,36 +5,40 @@ namespace dem {
 
 namespace {
 
-constexpr std::array<Step, 6> face_steps{unit_steps[0],  unit_steps[1],  unit_steps[2],
-                                         -unit_steps[0], -unit_steps[1], -unit_steps[2]};
+/// The neighbors in one direction each: -x, x, -y, y, -z, z.
+std::array<Brick, 6> face_neighbors(const BrickView& view, std::ptrdiff_t i) {
+    const Brick* b = view.bricks + i;
+    return {x_below(*b, b[-1]),
+            x_above(*b, b[1]),
+            y_below(*b, b[-view.row_stride]),
+            y_above(*b, b[view.row_stride]),
+            z_below(*b, b[-view.layer_stride]),
+            z_above(*b, b[view.layer_stride])};
+}
 
 }  // namespace
 
-VoxelWord interior_voxels(const WordView& x, std::ptrdiff_t i) {
-    VoxelWord inside = x[i];
+Brick interior_voxels(const BrickView& x, std::ptrdiff_t i) {
+    Brick inside = x[i];
     if (inside == 0) return 0;
-    for (const Step& step : face_steps) inside &= x.at(i, step);
+    for (const Brick neighbors : face_neighbors(x, i)) inside &= neighbors;
     return inside;
 }
 
-VoxelWord surface_ends(const WordView& x, const WordView& interior, std::ptrdiff_t i) {
-    VoxelWord ends = x[i] & ~interior[i];
-    for (const Step& step : face_steps) ends &= ~interior.at(i, step);
+Brick surface_ends(const BrickView& x, const BrickView& interior, std::ptrdiff_t i) {
+    Brick ends = x[i] & ~interior[i];
+    for (const Brick neighbors : face_neighbors(interior, i)) ends &= ~neighbors;
     return ends;
 }
 
-VoxelWord curve_ends(const WordView& x, std::ptrdiff_t i) {
-    VoxelWord one = 0;
-    VoxelWord more = 0;
-    const auto add = [&](VoxelWord neighbors) {
-        more |= one & neighbors;
-        one |= neighbors;
-    };
-    for (int dz = -1; dz <= 1; ++dz) {
-        for (int dy = -1; dy <= 1; ++dy) {
-            for (int dx = -1; dx <= 1; ++dx)
-                if (dx != 0 || dy != 0 || dz != 0) add(x.at(i, {dx, dy, dz}));
-        }
+Brick curve_ends(const BrickView& x, std::ptrdiff_t i) {
+    const Neighborhoods neighbors = neighborhoods(x, i);
+    Brick one = 0;
+    Brick more = 0;
+    for (std::size_t n = 0; n < neighbors.words.size(); ++n) {
+        if (n == Neighborhoods::place(Step{})) continue;
+        more |= one & neighbors.words[n];
+        one |= neighbors.words[n];
     }
     return x[i] & one & ~more;
 }

@@ -1,151 +1,163 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // [MS Algorithm 1] in the paper's notation: X the voxels, K the ends kept for good, Y the voxels
-// kept in this pass. Every step fills whole layers from images it does not write to, so layers can
-// be shared out among threads in any way.
+// kept in this pass. Instead of Y the code has its complement in X, the removable voxels, and looks
+// only at bricks that have some. Every step fills whole layers of bricks from images it does not
+// write to, so layers can be shared out among threads in any way.
 #include "shapegen/thinning/thin.hpp"
 
-#include "shapegen/thinning/critical_cliques.hpp"
+#include "shapegen/thinning/select_voxels.hpp"
+#include "shapegen/thinning/simple_voxels.hpp"
 #include "shapegen/thinning/skeletal_voxels.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace dem {
 
 namespace {
 
-/// Below, starting the threads takes longer than the work.
-constexpr std::ptrdiff_t parallel_threshold = 4096;  // words
+/// Live bricks, about those of a body at N = 160, below which a step takes less than a millisecond:
+/// on a busy machine the threads would wait for each other longer than that.
+constexpr std::size_t parallel_threshold = 1 << 15;
 
-/// Calls fill(begin, end) for the words of every layer that is not border; fill may write to them.
-template <class Fill>
-void for_each_layer(const VoxelImage& image, Fill fill) {
-    const int last = image.layers() - 1;
-    const std::ptrdiff_t stride = image.layer_stride();
-#pragma omp parallel for schedule(static, 1) if (stride * last >= parallel_threshold)
-    for (int k = 1; k < last; ++k) fill(k * stride, (k + 1) * stride);
+using Indices = std::vector<std::ptrdiff_t>;
+
+struct Layer {
+    Indices live;    ///< bricks with voxels that are not in K, in the order of the grid
+    Indices active;  ///< those with removable voxels in this pass
+};
+
+std::vector<Layer> live_layers(const BrickImage& X) {
+    std::vector<Layer> layers(static_cast<std::size_t>(X.layers()));
+    std::ptrdiff_t i = X.layer_stride();
+    for (Layer& layer : layers)
+        for (const std::ptrdiff_t end = i + X.layer_stride(); i < end; ++i)
+            if (X.bricks()[i] != 0) layer.live.push_back(i);
+    return layers;
 }
 
-void find_interior(const VoxelImage& X, VoxelImage& interior) {
-    const WordView x(X);
-    VoxelWord* result = interior.words();
-    for_each_layer(X, [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-        for (std::ptrdiff_t i = begin; i < end; ++i) result[i] = interior_voxels(x, i);
+template <class Work>
+void for_each_layer(std::vector<Layer>& layers, Work work) {
+    std::size_t live = 0;
+    for (const Layer& layer : layers) live += layer.live.size();
+    const std::size_t count = layers.size();
+#pragma omp parallel for schedule(static, 1) if (live >= parallel_threshold)
+    for (std::size_t k = 0; k < count; ++k) work(layers[k]);
+}
+
+void find_interior(const BrickImage& X, std::vector<Layer>& layers, BrickImage& interior) {
+    const BrickView x(X);
+    Brick* result = interior.bricks();
+    for_each_layer(layers, [=](const Layer& layer) {
+        for (const std::ptrdiff_t i : layer.live) result[i] = interior_voxels(x, i);
     });
 }
 
-/// K and the ends of X.
-void add_ends(Skeleton kind, const VoxelImage& X, const VoxelImage& interior, VoxelImage& K) {
-    if (kind == Skeleton::ultimate) return;
-    const WordView x(X);
-    const WordView inner(interior);
-    VoxelWord* k = K.words();
-    for_each_layer(X, [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-        for (std::ptrdiff_t i = begin; i < end; ++i) {
+/// Adds the ends of X to K; bricks without other voxels are done and their interior is empty.
+void add_ends(Skeleton kind, const BrickImage& X, const BrickImage& interior,
+              std::vector<Layer>& layers, BrickImage& K) {
+    const BrickView x(X);
+    const BrickView inner(interior);
+    Brick* k = K.bricks();
+    for_each_layer(layers, [=](Layer& layer) {
+        for (const std::ptrdiff_t i : layer.live) {
             if ((x[i] & ~inner[i] & ~k[i]) == 0) continue;
-            k[i] |= kind == Skeleton::surface ? surface_ends(x, inner, i) : curve_ends(x, i);
+            if (kind == Skeleton::surface) k[i] |= surface_ends(x, inner, i);
+            if (kind == Skeleton::curve) k[i] |= curve_ends(x, i);
+        }
+        std::erase_if(layer.live, [=](std::ptrdiff_t i) { return x[i] == k[i]; });
+    });
+}
+
+/// Rank 3: the simple voxels of X that are not in K; interior voxels never are simple.
+void find_removable(const BrickImage& X, const BrickImage& interior, const BrickImage& K,
+                    std::vector<Layer>& layers, BrickImage& removable) {
+    const BrickView x(X);
+    const BrickView inner(interior);
+    const BrickView ends(K);
+    Brick* result = removable.bricks();
+    for_each_layer(layers, [=](Layer& layer) {
+        layer.active.clear();
+        for (const std::ptrdiff_t i : layer.live) {
+            const Brick candidates = x[i] & ~inner[i] & ~ends[i];
+            if (candidates == 0) continue;
+            result[i] = simple_voxels(neighborhoods(x, i), candidates);
+            if (result[i] != 0) layer.active.push_back(i);
         }
     });
 }
 
-/// Y = K and the critical cliques of rank 3; interior voxels are such cliques.
-void keep_3_cliques(const VoxelImage& X, const VoxelImage& interior, const VoxelImage& K,
-                    VoxelImage& Y) {
-    const WordView x(X);
-    const WordView inner(interior);
-    const WordView ends(K);
-    const WordView kept(Y);
-    VoxelWord* y = Y.words();
-    for_each_layer(X, [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-        for (std::ptrdiff_t i = begin; i < end; ++i) {
-            y[i] = ends[i] | inner[i];
-            y[i] |= critical_3_cliques(x, kept, i);
-        }
-    });
+/// True if a removable voxel is among the four of lower z of a block that begins in brick i. The
+/// voxel selected from a clique always is.
+bool may_select_from(const BrickView& removable, std::ptrdiff_t i) {
+    const std::ptrdiff_t above = i + removable.row_stride;
+    return (removable[i] | (removable[i + 1] & first_x) | (removable[above] & first_y) |
+            (removable[above + 1] & first_x & first_y)) != 0;
 }
 
-/// `result` = Y and one voxel of each of the cliques that select(x, kept, i, selected) finds and
-/// adds, as bits, to the words from `selected` on.
+/// Calls visit(i) once for each brick i in which a block with a removable voxel may begin: brick
+/// `active` and the three before it along x and y that reach into it, unless another brick that
+/// they reach into comes first.
+template <class Visit>
+void for_each_origin(const BrickView& removable, std::ptrdiff_t active, Visit visit) {
+    const std::array<std::ptrdiff_t, 4> reach{0, 1, removable.row_stride, removable.row_stride + 1};
+    if (removable[active] == 0) return;
+    for (std::size_t n = 0; n < reach.size(); ++n) {
+        const std::ptrdiff_t i = active - reach[n];
+        bool is_first = true;
+        for (std::size_t m = 0; m < n; ++m) is_first = is_first && removable[i + reach[m]] == 0;
+        if (is_first && may_select_from(removable, i)) visit(i);
+    }
+}
+
+/// Ranks 2 to 0: `result` = the removable voxels without one of each critical clique.
 template <class Select>
-void keep_selected(const VoxelImage& X, const VoxelImage& Y, VoxelImage& result, Select select) {
-    const WordView x(X);
-    const WordView kept(Y);
-    VoxelWord* y = result.words();
-    for_each_layer(X, [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-        std::copy(kept.words + begin, kept.words + end, y + begin);
-        for (std::ptrdiff_t i = begin; i < end; ++i) select(x, kept, i, y + i);
+void keep_selected(const BrickImage& X, const BrickImage& removable, std::vector<Layer>& layers,
+                   BrickImage& result, Select select) {
+    const BrickView x(X);
+    const BrickView in(removable);
+    Brick* out = result.bricks();
+    for_each_layer(layers, [=](const Layer& layer) {
+        for (const std::ptrdiff_t i : layer.active) out[i] = in[i];
+        for (const std::ptrdiff_t active : layer.active)
+            for_each_origin(in, active, [=](std::ptrdiff_t i) {
+                select(x, in, i, Keeper(out + i, in.row_stride));
+            });
     });
 }
 
-/// Adds the voxels one step on along x. Never writes to another layer: the last row is border.
-void add_next(VoxelWord voxels, VoxelWord* word) {
-    word[0] |= voxels << 1;
-    word[1] |= voxels >> 63;
-}
-
-void select_from_2_cliques(const WordView& x, const WordView& kept, std::ptrdiff_t i,
-                           VoxelWord* selected) {
-    if ((x[i] & ~kept[i]) == 0) return;  // the first voxel of a pair is among these
-    *selected |= critical_2_cliques<0>(x, kept, i) | critical_2_cliques<1>(x, kept, i) |
-                 critical_2_cliques<2>(x, kept, i);
-}
-
-/// True if a voxel of X outside `kept` is among the four of lower z of a block that begins in word
-/// i. The voxel selected from a clique of rank 1 or 0 always is.
-bool may_select_from(const WordView& x, const WordView& kept, std::ptrdiff_t i) {
-    const auto removable = [&](std::ptrdiff_t n) { return x[n] & ~kept[n]; };
-    const std::ptrdiff_t above = i + x.row_stride;
-    return (removable(i) | removable(above) | ((removable(i + 1) | removable(above + 1)) & 1U)) !=
-           0;
-}
-
-/// The first voxel of the block or, where that is background, the second: around an edge one of
-/// both diagonals is full.
-void select_from_1_cliques(const WordView& x, const WordView& kept, std::ptrdiff_t i,
-                           VoxelWord* selected) {
-    if (!may_select_from(x, kept, i)) return;
-    const VoxelWord along_x = critical_1_cliques<0>(x, kept, i);
-    const VoxelWord across_x =
-        critical_1_cliques<1>(x, kept, i) | critical_1_cliques<2>(x, kept, i);
-    selected[0] |= (along_x | across_x) & x[i];
-    selected[x.row_stride] |= along_x & ~x[i];
-    add_next(across_x & ~x[i], selected);
-}
-
-/// The first voxel of the block; those of lower z are never all background.
-void select_from_0_cliques(const WordView& x, const WordView& kept, std::ptrdiff_t i,
-                           VoxelWord* selected) {
-    if (!may_select_from(x, kept, i)) return;
-    VoxelWord left = critical_0_cliques(x, kept, i);
-    if (left == 0) return;
-    const auto take = [&left](VoxelWord voxels) {
-        const VoxelWord taken = left & voxels;
-        left &= ~voxels;
-        return taken;
-    };
-    selected[0] |= take(x[i]);
-    add_next(take(x.at(i, {1, 0, 0})), selected);
-    selected[x.row_stride] |= take(x.at(i, {0, 1, 0}));
-    add_next(left, selected + x.row_stride);
+/// X = Y; false if they are the same. Leaves no removable voxels.
+bool remove_voxels(BrickImage& removable, BrickImage& spare, const std::vector<Layer>& layers,
+                   BrickImage& X) {
+    Brick any = 0;
+    for (const Layer& layer : layers) {
+        for (const std::ptrdiff_t i : layer.active) {
+            X.bricks()[i] &= ~removable.bricks()[i];
+            any |= removable.bricks()[i];
+            removable.bricks()[i] = 0;
+            spare.bricks()[i] = 0;
+        }
+    }
+    return any != 0;
 }
 
 }  // namespace
 
 VoxelImage thin(const VoxelImage& image, Skeleton kind) {
-    VoxelImage X = image;
-    VoxelImage K(image.grid());
-    VoxelImage Y(image.grid());
-    VoxelImage spare(image.grid());  // the interior, then the Y to come
-    find_interior(X, spare);
+    BrickImage X(image);
+    BrickImage K(image.grid());
+    BrickImage interior(image.grid());
+    BrickImage removable(image.grid());
+    BrickImage spare(image.grid());
+    std::vector<Layer> layers = live_layers(X);
+    find_interior(X, layers, interior);
     while (true) {
-        keep_3_cliques(X, spare, K, Y);
-        keep_selected(X, Y, spare, select_from_2_cliques);
-        keep_selected(X, spare, Y, select_from_1_cliques);
-        keep_selected(X, Y, spare, select_from_0_cliques);
-        if (spare == X) return X;
-        std::swap(X, spare);
-        find_interior(X, spare);
-        add_ends(kind, X, spare, K);
+        find_removable(X, interior, K, layers, removable);
+        keep_selected(X, removable, layers, spare, select_from_2_cliques);
+        keep_selected(X, spare, layers, removable, select_from_1_cliques);
+        keep_selected(X, removable, layers, spare, select_from_0_cliques);
+        if (!remove_voxels(spare, removable, layers, X)) return X.voxel_image();
+        find_interior(X, layers, interior);
+        add_ends(kind, X, interior, layers, K);
     }
 }
 

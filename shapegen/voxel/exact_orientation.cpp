@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/voxel/exact_orientation.hpp"
 
+// clang's analyzer takes the small-number pool of this number type of CGAL for a wrong delete.
+#ifdef __clang_analyzer__
+#define CGAL_DO_NOT_USE_MPZF
+#endif
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 namespace dem {

@@ -12,10 +12,8 @@ namespace dem {
 /// 64 voxels of a row; bit b of word w is voxel 64 w + b.
 using VoxelWord = std::uint64_t;
 
-/// A set of voxels of a grid, one bit each. Rows are padded to whole words. Invariant: the border
-/// and the padding are background; as the last voxel of a row is on the border, the last bit of a
-/// row's last word is zero, and a row shifted by one voxel may take its carry from the word before
-/// or after in memory, whatever row that is of.
+/// A set of voxels of a grid, one bit each, rows padded to whole words. Invariant: the border and
+/// the padding are background.
 class VoxelImage {
   public:
     /// Background everywhere.
@@ -37,12 +35,7 @@ class VoxelImage {
     /// In the order of the grid: x fastest, then y, then z.
     std::vector<Voxel> voxels() const;
 
-    /// Words between a row and the next, between a layer and the next, and in all. Layers 1 to
-    /// layers() - 2 hold the voxels, those before and after them are border.
-    std::ptrdiff_t row_stride() const { return row_stride_; }
-    std::ptrdiff_t layer_stride() const { return layer_stride_; }
-    int layers() const { return grid_.size[2]; }
-
+    /// Row after row in the order of the grid, (size[0] + 63) / 64 words each.
     /// Whoever writes keeps the border and the padding at zero.
     VoxelWord* words() { return words_.data(); }
     const VoxelWord* words() const { return words_.data(); }

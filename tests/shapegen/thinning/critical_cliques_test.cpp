@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/thinning/critical_cliques.hpp"
 
+#include "shapegen/thinning/simple_voxels.hpp"
 #include "tests/shapegen/thinning/reference_thinning.hpp"
 #include "tests/shapegen/thinning/sample_images.hpp"
 
@@ -13,32 +14,50 @@
 namespace dem {
 namespace {
 
-using Cliques = std::function<VoxelWord(const WordView&, const WordView&, std::ptrdiff_t)>;
+/// The critical cliques of some kind whose blocks begin in brick i.
+using Cliques =
+    std::function<Brick(const BrickView& x, const BrickView& removable, std::ptrdiff_t i)>;
 
-constexpr auto pairs =
-    std::to_array<VoxelWord (*)(const WordView&, const WordView&, std::ptrdiff_t)>(
-        {critical_2_cliques<0>, critical_2_cliques<1>, critical_2_cliques<2>});
-constexpr auto edges =
-    std::to_array<VoxelWord (*)(const WordView&, const WordView&, std::ptrdiff_t)>(
-        {critical_1_cliques<0>, critical_1_cliques<1>, critical_1_cliques<2>});
+Brick critical_3_cliques(const BrickView& x, const BrickView& removable, std::ptrdiff_t i) {
+    return removable[i] & ~simple_voxels(neighborhoods(x, i), x[i]);
+}
 
-/// A voxel at the first coordinate of each clique.
-VoxelImage find_all(const VoxelImage& X, const VoxelImage& kept, const Cliques& cliques) {
-    VoxelImage found(X.grid());
-    for (std::ptrdiff_t i = X.layer_stride(); i < (X.layers() - 1) * X.layer_stride(); ++i)
-        found.words()[i] = cliques(WordView(X), WordView(kept), i);
-    return found;
+template <int Axis>
+Brick pairs_along(const BrickView& x, const BrickView& removable, std::ptrdiff_t i) {
+    return critical_2_cliques<Axis>(neighborhoods(x, i), blocks(removable, i));
+}
+
+template <int Axis>
+Brick edges_along(const BrickView& x, const BrickView& removable, std::ptrdiff_t i) {
+    return critical_1_cliques<Axis>(neighborhoods(x, i), blocks(removable, i));
+}
+
+Brick corners(const BrickView& x, const BrickView& removable, std::ptrdiff_t i) {
+    return critical_0_cliques(blocks(x, i), blocks(removable, i));
+}
+
+const std::array<Cliques, 3> pairs{pairs_along<0>, pairs_along<1>, pairs_along<2>};
+const std::array<Cliques, 3> edges{edges_along<0>, edges_along<1>, edges_along<2>};
+
+/// The first voxel of the block of each clique.
+VoxelImage find_all(const VoxelImage& X, const VoxelImage& removable, const Cliques& cliques) {
+    const BrickImage x(X);
+    const BrickImage r(removable);
+    BrickImage found(X.grid());
+    for (std::ptrdiff_t i = x.layer_stride(); i < (x.layers() + 1) * x.layer_stride(); ++i)
+        found.bricks()[i] = cliques(BrickView(x), BrickView(r), i);
+    return found.voxel_image();
 }
 
 std::size_t count(const VoxelImage& X, const Cliques& cliques) {
-    return find_all(X, VoxelImage(X.grid()), cliques).count();
+    return find_all(X, X, cliques).count();
 }
 
 std::size_t count_of_rank(const VoxelImage& X, int rank) {
     if (rank == 3) return count(X, critical_3_cliques);
-    if (rank == 0) return count(X, critical_0_cliques);
+    if (rank == 0) return count(X, corners);
     std::size_t sum = 0;
-    for (const auto cliques : rank == 2 ? pairs : edges) sum += count(X, cliques);
+    for (const Cliques& cliques : rank == 2 ? pairs : edges) sum += count(X, cliques);
     return sum;
 }
 
@@ -98,8 +117,8 @@ TEST(CriticalCliques, OfRank2AreThoseThatCannotBeReduced) {
             }
             reducible[static_cast<std::size_t>(n)] = test::is_reducible(set);
         }
-        const VoxelImage found = find_all(lineup.image(), VoxelImage(lineup.image().grid()),
-                                          pairs[static_cast<std::size_t>(axis)]);
+        const VoxelImage found =
+            find_all(lineup.image(), lineup.image(), pairs[static_cast<std::size_t>(axis)]);
         int regular = 0;
         for (int n = 0; n < 1 << 16; ++n) {
             const bool is_critical = found.contains(lineup.place(n, 0, 0, 0));
@@ -128,8 +147,8 @@ TEST(CriticalCliques, OfRank1AreThoseThatCannotBeReduced) {
             }
             reducible[static_cast<std::size_t>(n)] = test::is_reducible(set);
         }
-        const VoxelImage found = find_all(lineup.image(), VoxelImage(lineup.image().grid()),
-                                          edges[static_cast<std::size_t>(axis)]);
+        const VoxelImage found =
+            find_all(lineup.image(), lineup.image(), edges[static_cast<std::size_t>(axis)]);
         int regular = 0;
         for (int n = 0; n < 256; ++n) {
             const bool is_critical = found.contains(lineup.place(n, 0, 0, 0));
@@ -178,10 +197,10 @@ TEST(CriticalCliques, OfRank0HoldWhatNoOtherCliqueDoes) {
 
 TEST(CriticalCliques, WithAKeptVoxelAreLeftOut) {
     const VoxelImage image = test::noise({70, 6, 6}, 0.3, 5);
-    for (const Cliques& cliques : {Cliques(critical_3_cliques), Cliques(pairs[0]),
-                                   Cliques(edges[1]), Cliques(critical_0_cliques)}) {
+    for (const Cliques& cliques :
+         {Cliques(critical_3_cliques), pairs[0], edges[1], Cliques(corners)}) {
         EXPECT_GT(count(image, cliques), 0U);
-        EXPECT_EQ(find_all(image, image, cliques).count(), 0U);
+        EXPECT_EQ(find_all(image, VoxelImage(image.grid()), cliques).count(), 0U);
     }
 }
 
