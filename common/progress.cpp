@@ -55,6 +55,11 @@ Progress::~Progress() {
     if (line_is_open_) out_ << std::endl;
 }
 
+void Progress::begin_at(double done) {
+    older_ = {clock_(), done};
+    newer_ = older_;
+}
+
 bool Progress::is_due(double done) const {
     if (style_ == Style::quiet) return false;
     const double waited = clock_() - last_print_;

@@ -30,6 +30,9 @@ class Progress {
     /// particles").
     void update(double done, std::string_view note = {});
 
+    /// Work that was done before this one began: no part of the rate.
+    void begin_at(double done);
+
     /// True when update() would print; for callers whose note costs something to make.
     bool is_due(double done) const;
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/frames.hpp"
 
+#include "common/error.hpp"
 #include "formats/hdf5_file.hpp"
+#include "formats/hdf5_reader.hpp"
 
 #include <cstdio>
 #include <numeric>
@@ -143,6 +145,24 @@ std::string frame_name(std::uint64_t number) {
 FrameWriter::FrameWriter(const std::filesystem::path& directory, const FrameContext& context,
                          std::span<const ParticleTemplate> shapes)
     : path_(directory / "frames.h5"), index_(directory / "frames.xdmf", "particles") {
+    begin(context, shapes);
+    if (context.surfaces) surfaces_ = std::make_unique<SurfaceWriter>(directory, shapes, 0);
+}
+
+FrameWriter::FrameWriter(const std::filesystem::path& directory, const FrameContext& context,
+                         std::span<const ParticleTemplate> shapes, std::uint64_t frames)
+    : path_(directory / "frames.h5"),
+      count_(frames),
+      index_(directory / "frames.xdmf", "particles") {
+    if (frames == 0 || !std::filesystem::exists(path_)) {
+        begin(context, shapes);
+    } else {
+        take_up();
+    }
+    if (context.surfaces) surfaces_ = std::make_unique<SurfaceWriter>(directory, shapes, frames);
+}
+
+void FrameWriter::begin(const FrameContext& context, std::span<const ParticleTemplate> shapes) {
     const MeshTables meshes(shapes);
     // Names are short; what the bound forgets is within the margin of Hdf5File.
     const std::uint64_t shape_bytes = shapes.size() * 256;
@@ -156,7 +176,42 @@ FrameWriter::FrameWriter(const std::filesystem::path& directory, const FrameCont
     file.make_group("/frames");
     file.make_group("/points");
     file.close();
-    if (context.surfaces) surfaces_ = std::make_unique<SurfaceWriter>(directory, shapes);
+}
+
+void FrameWriter::take_up() {
+    std::vector<std::string> entries;
+    std::vector<std::string> later;
+    std::string last;  // "": begun anew by another resumed run, and no frame since
+    {
+        const Hdf5Reader file(path_);
+        // The last table of point numbers serves the next frames, too.
+        for (const std::string& name : file.members("/points")) {
+            const std::string table = "/points/" + name;
+            if (name >= frame_name(count_)) {
+                later.push_back(table);
+            } else {
+                points_ = {"frames.h5:" + table, file.size(table), 1, "UInt", 4};
+            }
+        }
+        for (const std::string& name : file.members("/frames")) {
+            const std::string group = "/frames/" + name;
+            if (name >= frame_name(count_)) {
+                later.push_back(group);
+            } else {
+                entries.push_back(file.text(group, "xdmf"));
+                last = name;
+            }
+        }
+    }
+    if (last != frame_name(count_ - 1) && !last.empty()) {
+        throw Error(path_.string(), "ends with frame " + last + ", expected the " +
+                                        std::to_string(count_) +
+                                        " frames written before the checkpoint");
+    }
+    Hdf5File file(path_, Hdf5File::Mode::extend, 0);
+    for (const std::string& name : later) file.erase(name);
+    file.close();
+    index_.take_up(entries);
 }
 
 // Readers of XDMF need the number of each point spelled out: Xdmf3 aborts without.
@@ -181,8 +236,10 @@ void FrameWriter::append(const Frame& frame) {
     file.describe(group, "time", frame.time);
     file.describe(group, "step", frame.step);
     file.describe(group, "count", std::uint64_t{frame.position.size()});
+    const std::string entry = index_.entry(grid);
+    file.describe(group, "xdmf", entry);
     file.close();
-    index_.append(grid);
+    index_.append(entry);
     if (surfaces_) surfaces_->append(frame, name);
     ++count_;
 }

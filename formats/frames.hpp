@@ -46,13 +46,24 @@ struct FrameContext {
 /// what was written before stays readable.
 class FrameWriter {
   public:
+    /// Begins new files.
     FrameWriter(const std::filesystem::path& directory, const FrameContext& context,
                 std::span<const ParticleTemplate> shapes);
+
+    /// Takes up the files of an earlier writer of the same shapes and groups after `frames` frames
+    /// and erases the later ones; begins new ones, with numbers that go on, when there is no
+    /// frames.h5 any more. Throws Error when it cannot be read or has not that many frames.
+    FrameWriter(const std::filesystem::path& directory, const FrameContext& context,
+                std::span<const ParticleTemplate> shapes, std::uint64_t frames);
 
     /// The number of particles may change from frame to frame.
     void append(const Frame& frame);
 
+    std::uint64_t count() const { return count_; }  ///< of frames
+
   private:
+    void begin(const FrameContext& context, std::span<const ParticleTemplate> shapes);
+    void take_up();
     XdmfTable points(Hdf5File& file, std::size_t count);
 
     std::filesystem::path path_;

@@ -2,6 +2,7 @@
 #include "formats/hdf5_file.hpp"
 
 #include "common/error.hpp"
+#include "formats/hdf5_handle.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,52 +18,12 @@ namespace dem {
 
 namespace {
 
-/// An open identifier of HDF5, closed by the function that belongs to its kind.
-class Handle {
-  public:
-    Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-    ~Handle() {
-        if (id_ >= 0) close_(id_);
-    }
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-
-    operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor)
-    bool is_valid() const { return id_ >= 0; }
-
-  private:
-    hid_t id_;
-    herr_t (*close_)(hid_t);
-};
+using Handle = Hdf5Handle;
 
 // Smaller tables gain less from compression than its index costs.
 constexpr std::size_t chunked_from = std::size_t{1} << 14;
 constexpr std::size_t chunk_bytes = std::size_t{1} << 18;
 constexpr unsigned deflate_level = 1;  // 4 takes twice as long and saves 1 % of doubles
-
-/// What the innermost failed call says, without the library's own way there: the system's message
-/// where there is one ("No space left on device"), else HDF5's.
-std::string reason() {
-    std::string text;
-    H5Ewalk2(
-        H5E_DEFAULT, H5E_WALK_UPWARD,
-        [](unsigned depth, const H5E_error2_t* error, void* target) -> herr_t {
-            auto& found = *static_cast<std::string*>(target);
-            const std::string description = error->desc == nullptr ? "" : error->desc;
-            constexpr std::string_view mark = "error message = '";
-            const std::size_t start = description.find(mark);
-            if (start != std::string::npos) {
-                const std::size_t first = start + mark.size();
-                found = description.substr(first, description.find('\'', first) - first);
-            } else if (depth == 0) {
-                found = description;
-            }
-            return 0;
-        },
-        &text);
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text.empty() ? "unknown reason" : text;
-}
 
 /// Extends the file by `bytes` of real blocks; HDF5 cuts off what it has not used when it closes.
 /// Disks that cannot reserve are only asked whether they have the room.
@@ -92,8 +53,7 @@ void reserve(const std::filesystem::path& path, std::uint64_t bytes) {
 
 Hdf5File::Hdf5File(const std::filesystem::path& path, Mode mode, std::uint64_t bytes)
     : path_(path) {
-    // Errors are thrown as ours; the library would print its whole stack.
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    silence_hdf5();
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     if (H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18) < 0 ||
         H5Pset_file_locking(access, false, true) < 0) {
@@ -118,7 +78,7 @@ void Hdf5File::close() {
 }
 
 void Hdf5File::fail(const std::string& action) const {
-    throw Error(path_.string(), "cannot " + action + ": " + reason());
+    throw Error(path_.string(), "cannot " + action + ": " + hdf5_reason());
 }
 
 void Hdf5File::make_group(const std::string& name) {
@@ -186,6 +146,25 @@ void Hdf5File::write(const std::string& name, std::span<const std::string> value
         (size > 0 && H5Dwrite(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()) < 0)) {
         fail("write " + name);
     }
+}
+
+void Hdf5File::write_plain(const std::string& name, const PlainValues& values) {
+    const Handle type(H5Tcreate(H5T_OPAQUE, values.value_bytes), H5Tclose);
+    H5Tset_tag(type, values.type.c_str());
+    // Not compressed: states are random but for their first bits, and a run waits meanwhile.
+    const hsize_t size = values.bytes.size() / values.value_bytes;
+    const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Handle table(
+        H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+        H5Dclose);
+    if (!table.is_valid() || (size > 0 && H5Dwrite(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                                                   values.bytes.data()) < 0)) {
+        fail("write " + name);
+    }
+}
+
+void Hdf5File::erase(const std::string& name) {
+    if (H5Ldelete(file_, name.c_str(), H5P_DEFAULT) < 0) fail("erase " + name);
 }
 
 void Hdf5File::write_attribute(const std::string& object, const std::string& name,

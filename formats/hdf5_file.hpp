@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "formats/plain_values.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -48,6 +50,13 @@ class Hdf5File {
     void write(const std::string& name, std::span<const std::uint64_t> values,
                std::size_t columns = 1);
     void write(const std::string& name, std::span<const std::string> values);
+
+    /// A list of values as they lie in memory (Hdf5Reader::plain), not compressed.
+    void write_plain(const std::string& name, const PlainValues& values);
+
+    /// Removes a table or a group with everything in it. Its room is used again, or given back
+    /// where it was the end of the file.
+    void erase(const std::string& name);
 
     /// An attribute of a group or a table ("/" is the file).
     void describe(const std::string& object, const std::string& name, double value);

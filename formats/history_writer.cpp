@@ -10,15 +10,56 @@
 
 namespace dem {
 
+namespace {
+
+std::string header(std::span<const std::string> columns) {
+    std::string line;
+    for (const std::string& name : columns) line += (line.empty() ? "" : ",") + csv_field(name);
+    return line;
+}
+
+}  // namespace
+
 HistoryWriter::HistoryWriter(const std::filesystem::path& path,
                              std::span<const std::string> columns)
     : path_(path), columns_(columns.size()) {
-    errno = 0;
-    out_.open(path, std::ios::binary | std::ios::trunc);
-    if (!out_) fail();
+    open(std::ios::trunc);
+    write(header(columns));
+}
+
+HistoryWriter::HistoryWriter(const std::filesystem::path& path,
+                             std::span<const std::string> columns, std::uint64_t rows)
+    : path_(path), columns_(columns.size()), rows_(rows) {
+    std::ifstream in(path, std::ios::binary);
     std::string line;
-    for (const std::string& name : columns) line += (line.empty() ? "" : ",") + csv_field(name);
-    write(line);
+    if (!in || !std::getline(in, line) || line != header(columns)) {
+        throw Error(path.string(),
+                    "other columns found than this case writes, expected the history of the run "
+                    "that is resumed");
+    }
+    std::uint64_t found = 0;
+    auto end = in.tellg();
+    // A row that a killed run did not finish has no line end.
+    while (found < rows && std::getline(in, line) && !in.eof()) {
+        ++found;
+        end = in.tellg();
+    }
+    if (found < rows) {
+        throw Error(path.string(), std::to_string(found) + " rows found, expected the " +
+                                       std::to_string(rows) + " written before the checkpoint");
+    }
+    in.close();
+    std::error_code error;
+    end_ = static_cast<std::uintmax_t>(end);
+    std::filesystem::resize_file(path, end_, error);
+    if (error) throw Error(path.string(), "cannot write: " + error.message());
+    open(std::ios::app);
+}
+
+void HistoryWriter::open(std::ios::openmode mode) {
+    errno = 0;
+    out_.open(path_, std::ios::binary | std::ios::out | mode);
+    if (!out_) fail();
 }
 
 void HistoryWriter::append(std::span<const double> values) {
@@ -26,13 +67,23 @@ void HistoryWriter::append(std::span<const double> values) {
     std::string line;
     for (const double value : values) line += (line.empty() ? "" : ",") + number_text(value);
     write(line);
+    ++rows_;
 }
 
 void HistoryWriter::write(const std::string& line) {
     errno = 0;
     out_ << line << '\n';
     out_.flush();
-    if (!out_) fail();
+    if (out_) {
+        end_ += line.size() + 1;
+        return;
+    }
+    const int error = errno;
+    out_.close();  // tries once more, so first
+    std::error_code ignored;  // a row that is cut off stays where that cannot be helped
+    std::filesystem::resize_file(path_, end_, ignored);
+    errno = error;
+    fail();
 }
 
 void HistoryWriter::fail() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <span>
@@ -15,17 +16,27 @@ class HistoryWriter {
     /// Replaces the file by a header row. Throws Error when it cannot be written.
     HistoryWriter(const std::filesystem::path& path, std::span<const std::string> columns);
 
+    /// Goes on after the first `rows` rows of an existing file and drops the later ones. Throws
+    /// Error when it has other columns or fewer rows.
+    HistoryWriter(const std::filesystem::path& path, std::span<const std::string> columns,
+                  std::uint64_t rows);
+
     /// One value per column; every number reads back as the same double. Throws Error, e.g. on a
     /// full disk.
     void append(std::span<const double> values);
 
+    std::uint64_t rows() const { return rows_; }
+
   private:
+    void open(std::ios::openmode mode);
     void write(const std::string& line);
     [[noreturn]] void fail() const;
 
     std::filesystem::path path_;
     std::ofstream out_;
     std::size_t columns_;
+    std::uint64_t rows_ = 0;
+    std::uintmax_t end_ = 0;  ///< of the last complete row [bytes]
 };
 
 }  // namespace dem

@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 #include "formats/frames.hpp"
 #include "formats/hdf5_file.hpp"
+#include "formats/hdf5_reader.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -11,13 +12,42 @@
 namespace dem {
 
 SurfaceWriter::SurfaceWriter(const std::filesystem::path& directory,
-                             std::span<const ParticleTemplate> shapes)
+                             std::span<const ParticleTemplate> shapes, std::uint64_t frames)
     : path_(directory / "surfaces.h5"), index_(directory / "surfaces.xdmf", "surfaces") {
     for (const ParticleTemplate& shape : shapes) meshes_.push_back(shape.display_mesh);
+    if (frames > 0 && std::filesystem::exists(path_)) {
+        take_up(frames);
+        return;
+    }
     Hdf5File file(path_, Hdf5File::Mode::create, 0);
     file.make_group("/topologies");
     file.make_group("/frames");
     file.close();
+}
+
+// What the last triangles show is not looked up: the next frame writes its own.
+void SurfaceWriter::take_up(std::uint64_t frames) {
+    std::vector<std::string> entries;
+    std::vector<std::string> later;
+    {
+        const Hdf5Reader reader(path_);
+        for (const std::string& name : reader.members("/frames")) {
+            const std::string group = "/frames/" + name;
+            if (std::stoull(name) >= frames) {
+                later.push_back(group);
+                continue;
+            }
+            entries.push_back(reader.text(group, "xdmf"));
+            topologies_ = reader.number(group, "topologies");
+        }
+        for (const std::string& name : reader.members("/topologies")) {
+            if (std::stoull(name) >= topologies_) later.push_back("/topologies/" + name);
+        }
+    }
+    Hdf5File file(path_, Hdf5File::Mode::extend, 0);
+    for (const std::string& name : later) file.erase(name);
+    file.close();
+    index_.take_up(entries);
 }
 
 void SurfaceWriter::write_triangles(const Frame& frame) {
@@ -53,7 +83,7 @@ void SurfaceWriter::write_triangles(const Frame& frame) {
 }
 
 void SurfaceWriter::append(const Frame& frame, const std::string& frame_name) {
-    if (topologies_ == 0 || !std::ranges::equal(frame.id, known_id_) ||
+    if (triangles_.path.empty() || !std::ranges::equal(frame.id, known_id_) ||
         !std::ranges::equal(frame.shape, known_shape_)) {
         write_triangles(frame);
     }
@@ -76,14 +106,18 @@ void SurfaceWriter::append(const Frame& frame, const std::string& frame_name) {
     file.make_group(group);
     file.write(group + "points", points, 3);
     file.write(group + "speed", speeds);
-    file.describe(group, "time", frame.time);
-    file.close();
     const std::string place = "surfaces.h5:" + group;
-    index_.append({frame.time,
-                   triangles_,
-                   {place + "points", vertices_, 3, "Float", 4},
-                   {{"particle_id", "Scalar", "Cell", triangle_id_},
-                    {"speed", "Scalar", "Cell", {place + "speed", speeds.size(), 1, "Float", 4}}}});
+    const std::string entry = index_.entry(
+        {frame.time,
+         triangles_,
+         {place + "points", vertices_, 3, "Float", 4},
+         {{"particle_id", "Scalar", "Cell", triangle_id_},
+          {"speed", "Scalar", "Cell", {place + "speed", speeds.size(), 1, "Float", 4}}}});
+    file.describe(group, "time", frame.time);
+    file.describe(group, "topologies", topologies_);
+    file.describe(group, "xdmf", entry);
+    file.close();
+    index_.append(entry);
 }
 
 }  // namespace dem

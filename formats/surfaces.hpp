@@ -18,13 +18,16 @@ struct Frame;
 /// coloured by particle id and speed. In single precision, which is enough to look at.
 class SurfaceWriter {
   public:
-    /// Shapes without a display mesh stay invisible.
-    SurfaceWriter(const std::filesystem::path& directory, std::span<const ParticleTemplate> shapes);
+    /// Shapes without a display mesh stay invisible. `frames` > 0: takes up the files of an earlier
+    /// writer, if there are any, after that many frames and erases the later ones.
+    SurfaceWriter(const std::filesystem::path& directory, std::span<const ParticleTemplate> shapes,
+                  std::uint64_t frames);
 
     /// Throws Error, also for a frame of more than 2^32 vertices.
     void append(const Frame& frame, const std::string& frame_name);
 
   private:
+    void take_up(std::uint64_t frames);
     void write_triangles(const Frame& frame);
 
     std::filesystem::path path_;

@@ -55,9 +55,22 @@ XdmfSeries::~XdmfSeries() {
     }
 }
 
-void XdmfSeries::append(const XdmfGrid& grid) {
-    if (grid.points.rows == 0 || grid.cells.rows == 0) return;
-    grids_ += grid_text(grid, count_++);
+std::string XdmfSeries::entry(const XdmfGrid& grid) const {
+    return grid.points.rows == 0 || grid.cells.rows == 0 ? "" : grid_text(grid, count_);
+}
+
+void XdmfSeries::take_up(const std::vector<std::string>& entries) {
+    for (const std::string& entry : entries) {
+        grids_ += entry;
+        if (!entry.empty()) ++count_;
+    }
+    if (count_ > 0) write();
+}
+
+void XdmfSeries::append(const std::string& entry) {
+    if (entry.empty()) return;
+    grids_ += entry;
+    ++count_;
     if (count_ <= always_written || Progress::steady_seconds() - last_written_ >= interval) write();
 }
 

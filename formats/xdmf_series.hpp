@@ -36,6 +36,8 @@ struct XdmfGrid {
 /// the first grid, because readers crash on an index of none, and is always complete: replaced by a
 /// longer one as frames arrive, at most once a second when there are many of them, so that a long
 /// run does not spend its time on rewriting it; the last one comes with the destructor or write().
+/// The entry of a grid is text that can be kept elsewhere, so that the series can be taken up
+/// again.
 class XdmfSeries {
   public:
     /// Removes the index of an earlier run.
@@ -44,8 +46,13 @@ class XdmfSeries {
     XdmfSeries(const XdmfSeries&) = delete;
     XdmfSeries& operator=(const XdmfSeries&) = delete;
 
-    /// A grid without points is left out: readers choke on it.
-    void append(const XdmfGrid& grid);
+    /// The next entry of the index; "" for a grid without points, which readers choke on.
+    std::string entry(const XdmfGrid& grid) const;
+
+    void append(const std::string& entry);
+
+    /// Entries that an earlier series has appended; writes them.
+    void take_up(const std::vector<std::string>& entries);
 
     /// Replaces the file now. Throws Error.
     void write();

@@ -40,6 +40,7 @@ struct CommandLine {
     std::optional<std::string> directory;
     std::optional<int> threads;
     std::vector<std::string> overrides;
+    bool resume = false;
     bool check = false;
     bool quiet = false;
 };
@@ -52,6 +53,7 @@ po::options_description options() {
     add("threads", po::value<int>()->value_name("N"), "0: every core; never changes a result");
     add("set", po::value<std::vector<std::string>>()->value_name("SECTION.KEY=VALUE"),
         "set a value over the case file; may be repeated");
+    add("resume", "go on from the checkpoint in the folder of the results");
     add("check", "read and check everything, describe the scene, run nothing");
     add("keys", "list everything a case file may say (Markdown)");
     add("quiet", "no progress");
@@ -93,6 +95,7 @@ CommandLine command_line(const po::variables_map& values) {
                               " found, expected 0 to 4096");
     }
     if (values.count("set") != 0) line.overrides = values["set"].as<std::vector<std::string>>();
+    line.resume = values.count("resume") != 0;
     line.check = values.count("check") != 0;
     line.quiet = values.count("quiet") != 0;
     return line;
@@ -110,7 +113,8 @@ dem::Scene scene_of(const CommandLine& line) {
 
 void report(const dem::RunResult& result, const std::string& directory) {
     if (result.end == dem::RunResult::End::interrupted) {
-        std::cerr << "demrun: interrupted at " << result.time << " s; what was computed is kept\n";
+        std::cerr << "demrun: interrupted at " << result.time
+                  << " s; what was computed is kept, --resume goes on from here\n";
     }
     std::cout << result.particles << " particles, " << result.steps << " steps to " << result.time
               << " s in " << dem::format_duration(result.wall_time) << " ("
@@ -156,6 +160,7 @@ int run(const CommandLine& line) {
     dem::RunOptions run_options;
     run_options.progress = &progress;
     run_options.stop_requested = &stop_requested;
+    run_options.resume = line.resume;
     const dem::RunResult result = dem::run(std::move(scene), run_options);
     if (!line.quiet) report(result, directory);
     return report_missing(result) ? 1 : 0;

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/run.hpp"
 
+#include "common/error.hpp"
+#include "runtime/checkpoint/run_checkpoint.hpp"
 #include "runtime/measure/at_rest.hpp"
+#include "runtime/output/folder_lock.hpp"
 #include "runtime/output/outputs.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/time_step.hpp"
 
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -16,6 +20,8 @@
 namespace dem {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 bool is_interrupted(const RunOptions& options) {
     return options.stop_requested != nullptr && *options.stop_requested != 0;
@@ -42,6 +48,58 @@ std::vector<MissingBodies> missing_bodies(const Simulation& simulation) {
     return result;
 }
 
+struct RunParts {
+    Simulation& simulation;
+    AtRest& at_rest;
+    Outputs& outputs;
+};
+
+void require_checkpoint(const Scene& scene) {
+    const std::filesystem::path path = checkpoint_path(scene);
+    if (std::filesystem::exists(path)) return;
+    throw Error(path.string(), "not found, expected the checkpoint of a run to resume");
+}
+
+Outputs begun_outputs(bool resume, Simulation& simulation, AtRest& at_rest) {
+    const Scene& scene = simulation.scene();
+    if (!resume) return Outputs(scene);
+    const OutputProgress progress = load_checkpoint(checkpoint_path(scene), simulation, at_rest);
+    return {scene, progress, simulation.time()};
+}
+
+void make_checkpoint(const RunParts& run) {
+    run.outputs.sync();
+    save_checkpoint(checkpoint_path(run.simulation.scene()), run.simulation, run.at_rest,
+                    run.outputs.progress());
+}
+
+/// Steps until something ends the run; returns the sum of particles over the steps.
+std::uint64_t run_steps(const RunParts& run, const RunOptions& options, std::uint64_t last_step,
+                        RunResult::End& end) {
+    using End = RunResult::End;
+    Simulation& simulation = run.simulation;
+    const bool stop_at_rest = simulation.scene().run.stop_at_rest;
+    const std::chrono::duration<double> checkpoint_every(
+        simulation.scene().output.checkpoint_every);
+    auto last_checkpoint = Clock::now();
+    std::uint64_t particle_steps = 0;
+    // A resumed run may have been at rest already.
+    end = stop_at_rest && run.at_rest.was_reached() ? End::at_rest : End::end_time;
+    while (end == End::end_time && simulation.steps() < last_step) {
+        simulation.step();
+        run.outputs.sample(simulation);
+        report(options, simulation);
+        particle_steps += simulation.particles().size();
+        if (stop_at_rest && run.at_rest.reached(simulation)) end = End::at_rest;
+        if (is_interrupted(options)) end = End::interrupted;
+        if (end == End::end_time && Clock::now() - last_checkpoint >= checkpoint_every) {
+            make_checkpoint(run);
+            last_checkpoint = Clock::now();
+        }
+    }
+    return particle_steps;
+}
+
 }  // namespace
 
 RunResult run(Scene scene, const RunOptions& options) {
@@ -49,29 +107,20 @@ RunResult run(Scene scene, const RunOptions& options) {
     const double dt = time_step(scene).value;
     // The last step reaches the end time but for rounding.
     const auto last_step = static_cast<std::uint64_t>(std::ceil(scene.run.end_time / dt - 1e-6));
-    Outputs outputs(scene);
+    if (options.resume) require_checkpoint(scene);
+    const FolderLock lock(scene.output.directory);
     Simulation simulation(std::move(scene), dt);
     AtRest at_rest(simulation.scene());
-    outputs.sample(simulation);
+    Outputs outputs = begun_outputs(options.resume, simulation, at_rest);
+    if (!options.resume) outputs.sample(simulation);
+    if (options.progress != nullptr) options.progress->begin_at(simulation.time());
 
     RunResult result;
-    std::uint64_t particle_steps = 0;
-    const auto start = std::chrono::steady_clock::now();
-    while (simulation.steps() < last_step) {
-        simulation.step();
-        outputs.sample(simulation);
-        report(options, simulation);
-        particle_steps += simulation.particles().size();
-        if (is_interrupted(options)) {
-            result.end = RunResult::End::interrupted;
-            break;
-        }
-        if (simulation.scene().run.stop_at_rest && at_rest.reached(simulation)) {
-            result.end = RunResult::End::at_rest;
-            break;
-        }
-    }
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    const auto start = Clock::now();
+    const std::uint64_t particle_steps =
+        run_steps({simulation, at_rest, outputs}, options, last_step, result.end);
+    const std::chrono::duration<double> elapsed = Clock::now() - start;
+    make_checkpoint({simulation, at_rest, outputs});
     result.steps = simulation.steps();
     result.particles = simulation.particles().size();
     result.time = simulation.time();

@@ -15,6 +15,7 @@ struct RunOptions {
     Progress* progress = nullptr;  ///< updated with the simulated time, out of Scene::run.end_time
     /// Set by a signal handler: the run ends after the current step and keeps everything.
     const volatile std::sig_atomic_t* stop_requested = nullptr;
+    bool resume = false;  ///< go on from the checkpoint in Scene::output.directory
 };
 
 /// A group of which not every body came in.
@@ -39,9 +40,11 @@ struct RunResult {
     std::vector<MissingBodies> missing;           ///< in the order of the case
 };
 
-/// Runs a scene from time 0 to its end and writes frames.h5 and frames.xdmf, history.csv, final.csv
-/// and summary.json into Scene::output.directory (created when missing).
-/// Throws Error for a time step above the critical one, an unwritable folder, and a run that fails
+/// Runs a scene from time 0, or from its checkpoint, to its end and writes frames.h5 and
+/// frames.xdmf, history.csv, final.csv, summary.json and checkpoint.h5 into Scene::output.directory
+/// (created when missing). A resumed run gives the bits of one that was never interrupted.
+/// Throws Error for a time step above the critical one, a folder that cannot be written or is
+/// written by another run, a checkpoint that is none of this case, and a run that fails
 /// (a body leaves, overlaps too much, a number is not finite): then with step, time and ids, and
 /// with everything written before kept.
 RunResult run(Scene scene, const RunOptions& options);

@@ -102,8 +102,9 @@ struct RunSettings {
 
 struct OutputSettings {
     std::string directory;
-    double frames_every = 0.0;   ///< [s]; 0: none but the first and the last
-    double history_every = 0.0;  ///< [s]
+    double frames_every = 0.0;        ///< [s]; 0: none but the first and the last
+    double history_every = 0.0;       ///< [s]
+    double checkpoint_every = 600.0;  ///< wall time between checkpoints [s]
     bool surfaces = false;
     bool picture = true;
 };
@@ -117,6 +118,9 @@ struct MeasureSettings {
 
 struct Scene {
     std::string case_path;
+    /// What a checkpoint must agree with: one line per value of the case that moves a body
+    /// (case/case_lines.hpp). Empty for a scene made in code.
+    std::vector<std::string> case_lines;
     RunSettings run;
     std::vector<Material> materials;
     std::vector<ParticleTemplate> shapes;

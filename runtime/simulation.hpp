@@ -15,6 +15,9 @@
 
 namespace dem {
 
+class StateReader;
+class StateWriter;
+
 /// The time loop of one scene. Its state after any number of steps has the same bits for any number
 /// of threads (omp_set_num_threads before the constructor) and any skin.
 class Simulation {
@@ -47,7 +50,15 @@ class Simulation {
     /// Over position, orientation, velocity and angular momentum of all bodies in the order of ids.
     std::uint64_t state_hash() const;
 
+    // checkpoint/simulation_state.cpp
+    void save(StateWriter& writer) const;
+    /// For a simulation of the same scene fresh from its constructor: it goes on with the same bits
+    /// as the one that was saved. Throws Error for a state that is not of this scene.
+    void load(StateReader& reader);
+
   private:
+    template <class Self, class Visit>
+    static void visit_state(Self& self, Visit& visit);
     void insert_due();
     void rebuild_lists();
     void check_bodies() const;

@@ -376,10 +376,11 @@ constexpr Key output_keys[] = {
      .standard = "yes",
      .doc = "draw the last state into `final.png`"},
     {.name = "checkpoint_every",
-     .type = text,
      .dimension = time,
-     .later = "checkpoint_every",
-     .doc = "not in this version"},
+     .range = positive,
+     .standard = "10 min",
+     .doc = "wall time between checkpoints, from which `--resume` goes on; one is also made at the "
+            "end"},
 };
 
 constexpr Key measure_keys[] = {

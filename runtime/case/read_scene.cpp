@@ -2,6 +2,7 @@
 #include "runtime/case/read_scene.hpp"
 
 #include "common/error.hpp"
+#include "runtime/case/case_lines.hpp"
 #include "runtime/case/region.hpp"
 #include "runtime/case/scene_sections.hpp"
 
@@ -77,6 +78,7 @@ Scene read_scene(const CaseFile& file) {
     for (const InsertionGroup& group : scene.insertions) {
         if (group.mode != InsertionGroup::Mode::file) check_region(group, scene.walls);
     }
+    scene.case_lines = case_lines(file);
     return scene;
 }
 

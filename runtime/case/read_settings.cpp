@@ -54,6 +54,7 @@ OutputSettings read_output(const Values& values, const RunSettings& run) {
     OutputSettings output;
     output.frames_every = values.optional_number("frames_every").value_or(run.end_time / 100.0);
     output.history_every = values.optional_number("history_every").value_or(run.end_time / 1000.0);
+    output.checkpoint_every = values.number("checkpoint_every");
     output.surfaces = values.yes_no("surfaces");
     output.picture = values.yes_no("picture");
     return output;

@@ -32,6 +32,14 @@ class Inserter {
     /// How many of those were due in a batch that found no room for them.
     std::uint64_t crowded_out(std::uint32_t group) const;
 
+    /// What has been done so far, for checkpoints.
+    template <class Self, class Visit>
+    static void visit_state(Self& self, Visit& visit) {
+        visit("inserter", self.groups_);
+    }
+    /// Whether what a checkpoint brought belongs to this scene.
+    bool fits(const Scene& scene) const { return groups_.size() == scene.insertions.size(); }
+
   private:
     void insert_group(const Scene& scene, std::uint32_t group, Particles& particles, double time);
 

@@ -55,7 +55,8 @@ bool AtRest::reached(const Simulation& simulation) {
         return false;
     }
     slow_since_ = std::min(slow_since_, simulation.time());
-    return simulation.time() >= slow_since_ + hold;
+    was_reached_ = simulation.time() >= slow_since_ + hold;
+    return was_reached_;
 }
 
 }  // namespace dem

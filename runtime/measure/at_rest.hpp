@@ -17,6 +17,18 @@ class AtRest {
     /// Call after each step.
     bool reached(const Simulation& simulation);
 
+    /// What `reached` said last.
+    bool was_reached() const { return was_reached_; }
+
+    /// What has been seen so far, for checkpoints.
+    template <class Self, class Visit>
+    static void visit_state(Self& self, Visit& visit) {
+        visit("at_rest.largest_speed2", self.largest_speed2_);
+        visit("at_rest.slow_since", self.slow_since_);
+        visit("at_rest.next_look", self.next_look_);
+        visit("at_rest.was_reached", self.was_reached_);
+    }
+
   private:
     bool is_slow(const Simulation& simulation);
 
@@ -25,6 +37,7 @@ class AtRest {
     double largest_speed2_ = 0.0;    ///< [m^2/s^2]
     double slow_since_;              ///< [s]
     double next_look_ = 0.0;         ///< [s]
+    bool was_reached_ = false;
 };
 
 }  // namespace dem

@@ -172,4 +172,31 @@ void rebuild(NeighborLists& lists, const Bodies& bodies, const BodyAabbs& aabbs,
     ++lists.rebuilds;
 }
 
+void index_contacts(NeighborLists& lists, std::uint32_t particles) {
+    struct Contacts {
+        std::vector<IdPair> ids;
+        std::vector<std::uint32_t> results;
+    };
+    // All lists together in the order of ids, as the candidates of a rebuild are.
+    const auto collected = [](const auto&... list) {
+        std::vector<std::pair<IdPair, std::uint32_t>> all;
+        const auto add = [&](const auto& one) {
+            for (std::uint32_t k = 0; k < one.size(); ++k) {
+                all.emplace_back(one.ids[k], one.first_result + k);
+            }
+        };
+        (add(list), ...);
+        std::sort(all.begin(), all.end());
+        Contacts contacts;
+        for (const auto& [ids, result] : all) {
+            contacts.ids.push_back(ids);
+            contacts.results.push_back(result);
+        }
+        return contacts;
+    };
+    const Contacts pairs = std::apply(collected, lists.pairs);
+    const Contacts walls = std::apply(collected, lists.walls);
+    lists.adjacency = transposed(particles, pairs.ids, pairs.results, walls.ids, walls.results);
+}
+
 }  // namespace dem

@@ -58,4 +58,7 @@ bool is_stale(const NeighborLists& lists, const Bodies& bodies);
 void rebuild(NeighborLists& lists, const Bodies& bodies, const BodyAabbs& aabbs,
              std::span<const double> margins, std::span<const double> wall_margins);
 
+/// Makes the adjacency of lists that were filled by hand, one after the other from the first on.
+void index_contacts(NeighborLists& lists, std::uint32_t particles);
+
 }  // namespace dem

@@ -10,28 +10,24 @@
 #include "runtime/measure/measures.hpp"
 #include "runtime/output/picture.hpp"
 
+#include <cerrno>
 #include <numeric>
 #include <system_error>
 
+#include <fcntl.h>
 #include <omp.h>
+#include <unistd.h>
 
 namespace dem {
 
 namespace {
 
-std::filesystem::path made_directory(const Scene& scene) {
-    const std::filesystem::path directory = scene.output.directory;
-    std::error_code error;
-    std::filesystem::create_directories(directory, error);
-    if (error || !std::filesystem::is_directory(directory)) {
-        throw Error(directory.string(), "cannot make the output folder" +
-                                            (error ? ": " + error.message() : std::string()));
-    }
-    // What an earlier run ended with would be taken for the end of this one.
+/// What an earlier run ended with would be taken for the end of this one.
+void remove_end(const std::filesystem::path& directory) {
     for (const char* name : {"final.csv", "final.png", "summary.json"}) {
-        std::filesystem::remove(directory / name, error);
+        std::error_code ignored;  // what cannot be removed cannot be replaced either, which fails
+        std::filesystem::remove(directory / name, ignored);
     }
-    return directory;
 }
 
 FrameContext frame_context(const Scene& scene) {
@@ -102,14 +98,51 @@ std::string end_name(RunResult::End end) {
 
 }  // namespace
 
+std::filesystem::path checkpoint_path(const Scene& scene) {
+    return std::filesystem::path(scene.output.directory) / "checkpoint.h5";
+}
+
 Outputs::Outputs(const Scene& scene)
-    : directory_(made_directory(scene)),
-      frames_(directory_, frame_context(scene), scene.shapes),
+    : directory_(scene.output.directory),
       history_(directory_ / "history.csv", history_columns(scene)),
+      frames_(directory_, frame_context(scene), scene.shapes),
       frame_cadence_(scene.output.frames_every) {
+    remove_end(directory_);
+    std::error_code ignored;
+    std::filesystem::remove(checkpoint_path(scene), ignored);
+    make_cadences(scene);
+}
+
+Outputs::Outputs(const Scene& scene, const OutputProgress& progress, double time)
+    : directory_(scene.output.directory),
+      history_(directory_ / "history.csv", history_columns(scene), progress.rows),
+      frames_(directory_, frame_context(scene), scene.shapes, progress.frames),
+      frame_cadence_(scene.output.frames_every),
+      progress_(progress) {
+    remove_end(directory_);
+    make_cadences(scene);
+    // What was due up to the checkpoint has been written.
+    static_cast<void>(frame_cadence_.is_due(time));
+    for (Cadence& cadence : history_cadences_) static_cast<void>(cadence.is_due(time));
+}
+
+void Outputs::make_cadences(const Scene& scene) {
     history_cadences_.emplace_back(scene.output.history_every);
     for (const MeasureSettings& measure : scene.measures) {
         history_cadences_.emplace_back(measure.every);
+    }
+}
+
+void Outputs::sync() const {
+    for (const char* name : {"frames.h5", "history.csv"}) {
+        const std::string path = (directory_ / name).string();
+        const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+        const bool is_synced = descriptor >= 0 && fsync(descriptor) == 0;
+        const int error = errno;
+        if (descriptor >= 0) close(descriptor);
+        if (!is_synced) {
+            throw Error(path, "cannot write: " + std::generic_category().message(error));
+        }
     }
 }
 
@@ -129,7 +162,8 @@ void Outputs::write_frame(const Simulation& simulation) {
     const auto coordination = coordination_numbers(simulation);
     frames_.append({simulation.time(), simulation.steps(), id, p.position, p.orientation,
                     p.velocity, p.angular_velocity, shape, p.group, coordination, p.force});
-    last_frame_ = simulation.time();
+    progress_.frames = frames_.count();
+    progress_.last_frame = simulation.time();
 }
 
 void Outputs::write_history(const Simulation& simulation) {
@@ -154,12 +188,13 @@ void Outputs::write_history(const Simulation& simulation) {
     const auto measures = measure_values(simulation);
     row.insert(row.end(), measures.begin(), measures.end());
     history_.append(row);
-    last_row_ = simulation.time();
+    progress_.rows = history_.rows();
+    progress_.last_row = simulation.time();
 }
 
 void Outputs::finish(const Simulation& simulation, const RunResult& result) {
-    if (last_frame_ != simulation.time()) write_frame(simulation);
-    if (last_row_ != simulation.time()) write_history(simulation);
+    if (progress_.last_frame != simulation.time()) write_frame(simulation);
+    if (progress_.last_row != simulation.time()) write_history(simulation);
     write_body_table(directory_ / "final.csv", body_rows(simulation));
 
     const Scene& scene = simulation.scene();

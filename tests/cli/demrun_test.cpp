@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "formats/hdf5_reader.hpp"
 #include "tests/cli/program.hpp"
+
+#include <algorithm>
 
 #include <gtest/gtest.h>
 
@@ -36,7 +39,7 @@ class Demrun : public testing::Test {
 TEST_F(Demrun, AWrongCommandLineIsTwo) {
     for (const char* arguments : {"", "a.ini b.ini", "case.ini --chekc", "case.ini --threads x",
                                   "case.ini --threads -1", "case.ini --set", "case.ini --set nodot",
-                                  "case.ini --resume", "--unknown", "case.ini --out"}) {
+                                  "case.ini --res", "--unknown", "case.ini --out"}) {
         const Outcome outcome = demrun(arguments);
         EXPECT_EQ(outcome.code, 2) << arguments;
         EXPECT_TRUE(outcome.errors.starts_with("demrun: error: ")) << outcome.errors;
@@ -149,6 +152,75 @@ TEST_F(Demrun, AnInterruptKeepsWhatWasComputed) {
     EXPECT_NE(outcome.errors.find("interrupted at "), std::string::npos) << outcome.errors;
     EXPECT_FALSE(content(folder_ / "case/final.csv").empty());
     EXPECT_NE(content(folder_ / "case/summary.json").find("interrupted"), std::string::npos);
+}
+
+TEST_F(Demrun, AnInterruptedRunIsResumedToTheSameEnd) {
+    const std::string run = program("demrun") + " case.ini --quiet --set run.end_time=400ms ";
+    ASSERT_EQ(run_command(run + "--threads 1 --out whole", folder_).code, 0);
+    // However far it gets before the signal.
+    const Outcome first =
+        run_command("timeout --preserve-status --signal INT 0.2 " + run + "--out parts", folder_);
+    ASSERT_EQ(first.code, 0) << first.errors;
+    ASSERT_TRUE(fs::exists(folder_ / "parts/checkpoint.h5"));
+    const Outcome second = run_command(run + "--out parts --resume --threads 2", folder_);
+    EXPECT_EQ(second.code, 0) << second.errors;
+    for (const char* name : {"final.csv", "history.csv", "frames.xdmf"}) {
+        EXPECT_TRUE(content(folder_ / "whole" / name) == content(folder_ / "parts" / name)) << name;
+    }
+    const Outcome other =
+        demrun("case.ini --quiet --out parts --resume --set contact.friction=0.1");
+    EXPECT_EQ(other.code, 1);
+    EXPECT_EQ(other.errors,
+              "demrun: error: parts/checkpoint.h5: was made with '[contact] friction = 0.3' where "
+              "the case now has '[contact] friction = 0.1', expected no change but of end_time, "
+              "stop, threads, skin and [output]\n");
+}
+
+TEST_F(Demrun, AKilledRunIsResumedFromItsLastCheckpoint) {
+    const std::string run = program("demrun") +
+                            " case.ini --quiet --set run.end_time=200ms --set "
+                            "output.checkpoint_every=50ms --set output.frames_every=1s --out ";
+    ASSERT_EQ(run_command(run + "whole", folder_).code, 0);
+    const Outcome killed = run_command(
+        "{ " + run +
+            "parts & while kill -0 $! && ! test -e parts/checkpoint.h5; do sleep 0.01; done; "
+            "kill -9 $!; wait $!; }",
+        folder_);
+    ASSERT_NE(killed.code, 1) << killed.errors;
+    const Outcome resumed = run_command(run + "parts --resume", folder_);
+    ASSERT_EQ(resumed.code, 0) << resumed.errors;
+    for (const char* name : {"final.csv", "history.csv", "frames.xdmf"}) {
+        EXPECT_TRUE(content(folder_ / "whole" / name) == content(folder_ / "parts" / name)) << name;
+    }
+}
+
+TEST_F(Demrun, AFullDiskIsOneLineAndKeepsWhatWasWritten) {
+    struct Limit {
+        int blocks;  // of 512 bytes or of a kilobyte, as the shell likes
+        const char* frames_every;
+        const char* what;
+    };
+    for (const Limit& limit : {Limit{40, "1ms", "frames.h5"}, Limit{300, "0.2ms", "frames.h5"},
+                               Limit{300, "1s", "history.csv"}}) {
+        const Outcome outcome = run_command(
+            "trap '' XFSZ; ulimit -f " + std::to_string(limit.blocks) + "; " + program("demrun") +
+                " case.ini --quiet --out full --set output.history_every=5us --set "
+                "run.time_step=5us" +
+                " --set output.frames_every=" + limit.frames_every,
+            folder_);
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_EQ(outcome.errors, std::string("demrun: error: full/") + limit.what +
+                                      ": cannot write: File too large\n");
+        EXPECT_FALSE(fs::exists(folder_ / "full/final.csv"));
+        const auto is_part = [](const fs::directory_entry& entry) {
+            return entry.path().string().find(".part-") != std::string::npos;
+        };
+        EXPECT_EQ(std::count_if(fs::directory_iterator(folder_ / "full"), {}, is_part), 0);
+        if (limit.blocks == 40) continue;  // not even one frame
+        EXPECT_TRUE(content(folder_ / "full/history.csv").ends_with('\n')) << "whole rows only";
+        const Hdf5Reader frames(folder_ / "full/frames.h5");
+        EXPECT_GT(frames.members("/frames").size(), 0U);
+    }
 }
 
 }  // namespace

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/random.hpp"
+#include "runtime/checkpoint/state_archive.hpp"
+#include "runtime/measure/energy.hpp"
 #include "runtime/simulation.hpp"
 #include "tests/runtime/simulation/scenes.hpp"
 
 #include <functional>
+#include <memory>
 
 #include <gtest/gtest.h>
 #include <omp.h>
 
 // The promise of docs/time-loop.md: the state after any number of steps has the same bits for any
-// number of threads and any skin.
+// number of threads, any skin and across any number of restarts.
 
 namespace dem {
 namespace {
@@ -141,6 +144,31 @@ TEST_P(SameBits, ForAnySkin) {
         scene.run.skin = skin;
         EXPECT_EQ(hashes(std::move(scene), 2), expected) << "skin " << skin;
     }
+}
+
+// Contacts, motions and batches under way at every restart; each with another number of threads.
+TEST_P(SameBits, AcrossRestarts) {
+    const NamedScene& named = GetParam();
+    omp_set_num_threads(2);
+    auto simulation = std::make_unique<Simulation>(named.make(), named.dt);
+    std::vector<std::uint64_t> found;
+    for (int step = 1; step <= named.steps; ++step) {
+        simulation->step();
+        if (step % 100 == 0) found.push_back(simulation->state_hash());
+        if (step != 1 && step % (named.steps / 5) != 3) continue;
+        StateWriter writer;
+        simulation->save(writer);
+        const Energies before = energies(*simulation);
+        omp_set_num_threads(1 + step % 4);
+        simulation = std::make_unique<Simulation>(named.make(), named.dt);
+        StateReader reader(writer.take(), "memory");
+        simulation->load(reader);
+        reader.finish();
+        const Energies after = energies(*simulation);
+        EXPECT_EQ(before.elastic, after.elastic);
+        EXPECT_EQ(before.residual(), after.residual());
+    }
+    EXPECT_EQ(found, hashes(named.make(), 2));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -126,8 +126,6 @@ TEST(ReadScene, MistakesAreNamedWithTheirLine) {
               "them");
     EXPECT_EQ(case_message(sphere_case(), "run.time_step=2 s"),
               "--set run.time_step: '2 s' found, expected less than end_time = 1 s");
-    EXPECT_EQ(case_message(sphere_case(), "output.checkpoint_every=1 min"),
-              "--set output.checkpoint_every: 'checkpoint_every' is not in this version");
     EXPECT_EQ(case_message("[run]\nend_time = 1\n"),
               "c.ini: no section [particles.NAME], it is required");
     const std::string missing =
@@ -243,6 +241,20 @@ TEST_F(BodyFile, ARowThatCannotBeUsedIsNamed) {
               std::string::npos);
     EXPECT_NE(message("x\n0\n", "count = 3\n").find("key 'count' has no meaning"),
               std::string::npos);
+}
+
+TEST(CaseLines, ChangeWithWhatMovesBodiesAndWithNothingElse) {
+    const auto lines = [](auto... overrides) {
+        return scene_of(sphere_case(), overrides...).case_lines;
+    };
+    const auto standard = lines();
+    EXPECT_EQ(lines("run.end_time=3 s", "run.threads=2", "run.stop=at_rest", "run.skin=1 mm",
+                    "output.frames_every=1 ms"),
+              standard);
+    EXPECT_NE(lines("run.seed=7"), standard);
+    EXPECT_NE(lines("contact.restitution=0.31"), standard);
+    EXPECT_NE(std::find(standard.begin(), standard.end(), "[particles.balls] radius = 5 mm"),
+              standard.end());
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include "common/error.hpp"
 #include "formats/body_table.hpp"
+#include "formats/hdf5_reader.hpp"
+#include "runtime/output/folder_lock.hpp"
 #include "tests/runtime/simulation/scenes.hpp"
 
 #include <filesystem>
@@ -10,6 +12,7 @@
 #include <sstream>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace dem {
 namespace {
@@ -107,6 +110,137 @@ TEST_F(Run, RefusesASolidFractionWithoutAVessel) {
     Scene scene = bouncing_sphere();
     scene.walls.clear();
     EXPECT_THROW(run(std::move(scene), {}), Error);
+}
+
+class ResumedRun : public Run {
+  protected:
+    // Bodies that come in batches, end in a heap and have a measure of their own interval.
+    Scene pour(double end_time, int threads, const std::string& folder) const {
+        Scene scene = scenes::one_material({1e7, 2500.0, 0.5, 0.4});
+        scenes::add_kind(scene, scenes::sphere(5e-3));
+        InsertionGroup group;
+        group.name = "balls";
+        group.where = "test.ini:1";
+        group.mode = InsertionGroup::Mode::batches;
+        group.kinds = {0};
+        group.count = 40;
+        group.batch = 10;
+        group.every = 0.02;
+        group.region = CylinderRegion{{0.0, 0.0, 0.03}, {0.0, 0.0, 0.06}, 0.03};
+        scene.insertions.push_back(group);
+        scenes::add_vessel(scene, 0.03);
+        scene.measures = {{"height", MeasureSettings::Kind::fill_height, 0.007}};
+        scene.run.end_time = end_time;
+        scene.run.time_step = 1e-5;
+        scene.run.threads = threads;
+        scene.case_lines = {"[run] seed = 1", "[contact] friction = 0.4"};
+        scene.output.directory = (directory_ / folder).string();
+        scene.output.frames_every = 0.01;
+        scene.output.history_every = 0.0043;
+        scene.output.surfaces = true;
+        scene.output.picture = false;
+        return scene;
+    }
+    RunResult resume(const Scene& scene) const {
+        RunOptions options;
+        options.resume = true;
+        return run(scene, options);
+    }
+    std::string text(const std::filesystem::path& name) const {
+        std::ifstream in(directory_ / name, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    std::string resume_error(const Scene& scene) const {
+        try {
+            resume(scene);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "fine";
+    }
+};
+
+TEST_F(ResumedRun, LeavesTheFilesOfOneThatNeverStopped) {
+    const RunResult whole = run(pour(0.1, 2, "whole"), {});
+    run(pour(0.033, 1, "parts"), {});
+    const auto checkpoint = directory_ / "parts/checkpoint.h5";
+    std::filesystem::copy_file(checkpoint, directory_ / "early.h5");
+    EXPECT_EQ(resume(pour(0.061, 3, "parts")).end, RunResult::End::end_time);
+    // As if it had been killed before the next checkpoint: the files have more than that one says.
+    std::filesystem::rename(directory_ / "early.h5", checkpoint);
+    std::ofstream(directory_ / "parts/history.csv", std::ios::app) << "0.06,";
+    const RunResult last = resume(pour(0.1, 2, "parts"));
+
+    EXPECT_EQ(last.state_hash, whole.state_hash);
+    EXPECT_EQ(last.steps, whole.steps);
+    for (const char* name : {"history.csv", "final.csv", "frames.xdmf"}) {
+        EXPECT_TRUE(text(std::filesystem::path("parts") / name) ==
+                    text(std::filesystem::path("whole") / name))
+            << name;
+    }
+    const Hdf5Reader expected(directory_ / "whole/frames.h5");
+    const Hdf5Reader found(directory_ / "parts/frames.h5");
+    EXPECT_EQ(found.members("/frames"), expected.members("/frames"));
+    EXPECT_EQ(found.members("/points"), expected.members("/points"));
+    const Hdf5Reader surfaces(directory_ / "parts/surfaces.h5");
+    EXPECT_EQ(surfaces.members("/frames"), expected.members("/frames"));
+}
+
+TEST_F(ResumedRun, ThatHadEndedDoesNothingMore) {
+    Scene scene = pour(3.0, 1, "rest");
+    scene.run.stop_at_rest = true;
+    scene.insertions[0].count = 4;
+    const RunResult first = run(scene, {});
+    ASSERT_EQ(first.end, RunResult::End::at_rest);
+    const std::string history = text("rest/history.csv");
+    const RunResult again = resume(scene);
+    EXPECT_EQ(again.end, RunResult::End::at_rest);
+    EXPECT_EQ(again.steps, first.steps);
+    EXPECT_EQ(again.state_hash, first.state_hash);
+    EXPECT_EQ(text("rest/history.csv"), history);
+}
+
+TEST_F(ResumedRun, RefusesWhatItCannotContinueAndTouchesNothing) {
+    EXPECT_NE(resume_error(pour(0.02, 1, "a")).find("checkpoint.h5: not found"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(directory_ / "a"));
+    run(pour(0.02, 1, "a"), {});
+    const std::string history = text("a/history.csv");
+
+    Scene other = pour(0.04, 1, "a");
+    other.case_lines[1] = "[contact] friction = 0.5";
+    EXPECT_NE(resume_error(other).find("was made with '[contact] friction = 0.4' where the case "
+                                       "now has '[contact] friction = 0.5'"),
+              std::string::npos);
+    Scene step = pour(0.04, 1, "a");
+    step.run.time_step = 2e-5;
+    EXPECT_NE(resume_error(step).find("another time step"), std::string::npos);
+    Scene wall = pour(0.04, 1, "a");
+    wall.walls.pop_back();
+    EXPECT_NE(resume_error(wall).find("other lengths"), std::string::npos);
+    EXPECT_EQ(text("a/history.csv"), history);
+
+    Scene measures = pour(0.04, 1, "a");
+    measures.measures.clear();
+    EXPECT_NE(resume_error(measures).find("history.csv: other columns"), std::string::npos);
+    EXPECT_EQ(text("a/history.csv"), history);
+}
+
+TEST_F(Run, KeepsOthersOutOfItsFolder) {
+    {
+        const FolderLock lock(directory_);
+        std::string message;
+        try {
+            run(bouncing_sphere(), {});
+        } catch (const Error& error) {
+            message = error.what();
+        }
+        EXPECT_NE(message.find("another demrun (process " + std::to_string(getpid()) + ")"),
+                  std::string::npos)
+            << message;
+        EXPECT_FALSE(std::filesystem::exists(directory_ / "history.csv"));
+    }
+    ASSERT_TRUE(std::filesystem::exists(directory_ / ".demrun.lock")) << "a stale one";
+    EXPECT_EQ(run(bouncing_sphere(), {}).steps, 10000U);
 }
 
 }  // namespace

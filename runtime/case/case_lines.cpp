@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/case/case_lines.hpp"
+
+#include "common/state_hash.hpp"
+#include "formats/memory_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+
+namespace dem {
+
+namespace {
+
+/// Keys of [run] that change no bit of any state on the way.
+constexpr std::array<std::string_view, 4> free_keys = {"end_time", "stop", "threads", "skin"};
+/// Keys whose value is the path of a file, relative to the case file.
+constexpr std::array<std::string_view, 2> file_keys = {"template", "file"};
+
+template <std::size_t count>
+bool is_one_of(const std::array<std::string_view, count>& keys, std::string_view key) {
+    return std::ranges::find(keys, key) != keys.end();
+}
+
+std::string content_hash(const std::filesystem::path& path) {
+    StateHash hash;
+    hash.add_bytes(MemoryMap(path).bytes());
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash.value()));
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> case_lines(const CaseFile& file) {
+    const std::filesystem::path folder = std::filesystem::path(file.path).parent_path();
+    std::vector<std::string> lines;
+    for (const CaseSection& section : file.sections) {
+        if (section.name == "output" || section.name.starts_with("measure.")) continue;
+        const std::string name = "[" + section.name + "] ";
+        for (const CaseEntry& entry : section.entries) {
+            if (section.name == "run" && is_one_of(free_keys, entry.key)) continue;
+            if (is_one_of(file_keys, entry.key)) {
+                lines.push_back(name + entry.key + " of content " +
+                                content_hash(folder / entry.value));
+            } else {
+                lines.push_back(name + entry.key + " = " + entry.value);
+            }
+        }
+    }
+    return lines;
+}
+
+}  // namespace dem

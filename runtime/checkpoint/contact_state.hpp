@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/checkpoint/state_archive.hpp"
+#include "runtime/narrow_phase/neighbor_lists.hpp"
+
+/// The contacts of neighbor lists in a checkpoint: of every list the pairs that touch, with what
+/// they remember and what they did in the last step. Whatever kinds of pairs there are, a list is
+/// known by its type. Candidates that do not touch and caches change no bit and stay behind.
+namespace dem {
+
+template <>
+inline constexpr bool is_plain<PairResult> = true;
+
+template <class List>
+struct TouchingPairs {
+    std::vector<IdPair> ids;
+    std::vector<typename List::History> histories;
+    std::vector<PairResult> results;
+
+    static std::string name() { return std::string("contacts.") + typeid(List).name(); }
+
+    template <class Self, class Visit>
+    static void visit_state(Self& self, Visit& visit) {
+        visit(name() + ".ids", self.ids);
+        visit(name() + ".histories", self.histories);
+        visit(name() + ".results", self.results);
+    }
+};
+
+template <class List>
+void save_contacts(const NeighborLists& lists, const List& list, StateWriter& writer) {
+    TouchingPairs<List> pairs;
+    for (std::uint32_t k = 0; k < list.size(); ++k) {
+        const std::uint32_t r = list.first_result + k;
+        if (lists.touching[r] == 0) continue;
+        pairs.ids.push_back(list.ids[k]);
+        pairs.histories.push_back(list.histories[list.history_of[k]]);
+        pairs.results.push_back(lists.results[r]);
+    }
+    if (!pairs.ids.empty()) TouchingPairs<List>::visit_state(pairs, writer);
+}
+
+/// Makes `list` the next of `lists`, holding the pairs of the checkpoint. `partners`: how many
+/// particles or walls j may be.
+template <class List>
+void load_contacts(NeighborLists& lists, List& list, std::size_t particles, std::size_t partners,
+                   StateReader& reader) {
+    TouchingPairs<List> pairs;
+    if (reader.has(TouchingPairs<List>::name() + ".ids")) pairs.visit_state(pairs, reader);
+    bool is_fine = pairs.histories.size() == pairs.ids.size() &&
+                   pairs.results.size() == pairs.ids.size() &&
+                   std::is_sorted(pairs.ids.begin(), pairs.ids.end());
+    for (const IdPair& ids : pairs.ids) is_fine &= ids.i < particles && ids.j < partners;
+    if (!is_fine) reader.fail("holds contacts that do not fit its particles");
+
+    list.reset(std::move(pairs.ids), static_cast<std::uint32_t>(lists.results.size()));
+    for (std::uint32_t k = 0; k < list.size(); ++k) list.add_history(k, pairs.histories[k]);
+    lists.results.insert(lists.results.end(), pairs.results.begin(), pairs.results.end());
+    lists.touching.resize(lists.results.size(), 1);
+}
+
+inline void save_contacts(const NeighborLists& lists, StateWriter& writer) {
+    const auto save = [&](const auto&... list) { (save_contacts(lists, list, writer), ...); };
+    std::apply(save, lists.pairs);
+    std::apply(save, lists.walls);
+}
+
+/// Lists of the touching pairs alone: the next step makes new ones and carries these over.
+inline NeighborLists load_contacts(std::uint32_t particles, std::size_t walls,
+                                   StateReader& reader) {
+    NeighborLists lists;
+    std::apply(
+        [&](auto&... list) { (load_contacts(lists, list, particles, particles, reader), ...); },
+        lists.pairs);
+    std::apply([&](auto&... list) { (load_contacts(lists, list, particles, walls, reader), ...); },
+               lists.walls);
+    index_contacts(lists, particles);
+    return lists;
+}
+
+}  // namespace dem

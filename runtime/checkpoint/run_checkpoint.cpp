@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/checkpoint/run_checkpoint.hpp"
+
+#include "runtime/checkpoint/state_archive.hpp"
+
+#include <algorithm>
+
+namespace dem {
+
+namespace {
+
+std::vector<char> joined(const std::vector<std::string>& lines) {
+    std::vector<char> text;
+    for (const std::string& line : lines) {
+        text.insert(text.end(), line.begin(), line.end());
+        text.push_back('\n');
+    }
+    return text;
+}
+
+std::vector<std::string> lines_of(const std::vector<char>& text) {
+    std::vector<std::string> lines;
+    for (auto begin = text.begin(); begin != text.end();) {
+        const auto end = std::find(begin, text.end(), '\n');
+        lines.emplace_back(begin, end);
+        begin = end == text.end() ? end : end + 1;
+    }
+    return lines;
+}
+
+std::string quoted_or_nothing(const std::vector<std::string>& lines, std::size_t k) {
+    return k < lines.size() ? "'" + lines[k] + "'" : "nothing";
+}
+
+void check_case(const std::string& where, const std::vector<std::string>& before,
+                const std::vector<std::string>& now) {
+    const std::size_t common = std::min(before.size(), now.size());
+    const auto first = std::mismatch(
+        before.begin(), before.begin() + static_cast<std::ptrdiff_t>(common), now.begin());
+    const auto k = static_cast<std::size_t>(first.first - before.begin());
+    if (k == before.size() && k == now.size()) return;
+    throw Error(where,
+                "was made with " + quoted_or_nothing(before, k) + " where the case now has " +
+                    quoted_or_nothing(now, k) +
+                    ", expected no change but of end_time, stop, threads, skin and [output]");
+}
+
+}  // namespace
+
+void save_checkpoint(const std::filesystem::path& path, const Simulation& simulation,
+                     const AtRest& at_rest, const OutputProgress& outputs) {
+    StateWriter writer;
+    writer("case", joined(simulation.scene().case_lines));
+    writer("time_step", simulation.time_step());
+    writer("outputs", outputs);
+    AtRest::visit_state(at_rest, writer);
+    simulation.save(writer);
+    write_checkpoint(path, writer.take());
+}
+
+OutputProgress load_checkpoint(const std::filesystem::path& path, Simulation& simulation,
+                               AtRest& at_rest) {
+    StateReader reader(read_checkpoint(path), path.string());
+    std::vector<char> text;
+    reader("case", text);
+    check_case(path.string(), lines_of(text), simulation.scene().case_lines);
+    double time_step = 0.0;
+    reader("time_step", time_step);
+    if (time_step != simulation.time_step()) reader.fail("was made with another time step");
+    OutputProgress outputs;
+    reader("outputs", outputs);
+    AtRest::visit_state(at_rest, reader);
+    simulation.load(reader);
+    reader.finish();
+    return outputs;
+}
+
+}  // namespace dem

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The state of a simulation: everything that a bit of its future depends on, and what the outputs
+// say about the present step. The forces of the step before, the positions of walls and the
+// neighbor lists follow from the rest.
+#include "runtime/checkpoint/contact_state.hpp"
+#include "runtime/simulation.hpp"
+
+namespace dem {
+
+namespace {
+
+template <class Self, class Visit>
+void visit_particles(Self& p, Visit& visit) {
+    visit("particles.position", p.position);
+    visit("particles.orientation", p.orientation);
+    visit("particles.velocity", p.velocity);
+    visit("particles.angular_momentum", p.angular_momentum);
+    visit("particles.angular_velocity", p.angular_velocity);
+    visit("particles.force", p.force);
+    visit("particles.torque", p.torque);
+    visit("particles.kind", p.kind);
+    visit("particles.group", p.group);
+    visit("particles.travel", p.travel);
+}
+
+/// Whether every array has an entry per particle and every index means something.
+bool is_consistent(const Particles& p, const EnergyLedger& ledger, const Scene& scene) {
+    const std::size_t n = p.size();
+    bool fine = true;
+    for (const auto* array :
+         {&p.velocity, &p.angular_momentum, &p.angular_velocity, &p.force, &p.torque}) {
+        fine &= array->size() == n;
+    }
+    for (const auto* array : {&p.travel, &ledger.dissipated, &ledger.wall_work}) {
+        fine &= array->size() == n;
+    }
+    fine &= p.orientation.size() == n && p.kind.size() == n && p.group.size() == n;
+    for (const std::uint32_t kind : p.kind) fine &= kind < scene.kinds.size();
+    for (const std::uint32_t group : p.group) fine &= group < scene.insertions.size();
+    return fine;
+}
+
+}  // namespace
+
+template <class Self, class Visit>
+void Simulation::visit_state(Self& self, Visit& visit) {
+    visit("steps", self.steps_);
+    visit_particles(self.particles_, visit);
+    visit("walls.travel", self.walls_.travel);
+    visit("ledger.dissipated", self.ledger_.dissipated);
+    visit("ledger.wall_work", self.ledger_.wall_work);
+    visit("ledger.inserted", self.inserted_energy_);
+    visit("largest_overlap", self.largest_overlap_);
+    Inserter::visit_state(self.inserter_, visit);
+}
+
+void Simulation::save(StateWriter& writer) const {
+    visit_state(*this, writer);
+    save_contacts(lists_, writer);
+}
+
+void Simulation::load(StateReader& reader) {
+    visit_state(*this, reader);
+    if (!is_consistent(particles_, ledger_, scene_) ||
+        walls_.travel.size() != scene_.walls.size() || !inserter_.fits(scene_)) {
+        reader.fail("holds arrays of other lengths than this case has");
+    }
+    particles_.old_force.assign(particles_.size(), Vec3::Zero());
+    particles_.old_torque.assign(particles_.size(), Vec3::Zero());
+    for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
+        walls_.state[w] = wall_state(scene_.walls[w], time());
+    }
+    lists_ = load_contacts(particles_.size(), scene_.walls.size(), reader);
+}
+
+}  // namespace dem

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/error.hpp"
+#include "common/math/types.hpp"
+#include "formats/checkpoint.hpp"
+
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <typeinfo>
+#include <utility>
+#include <vector>
+
+/// What is written into a checkpoint and read back. A class lists its state once, as calls of
+/// `visit(name, member)`; with a StateWriter they save it, with a StateReader they restore it.
+namespace dem {
+
+/// Whether the bytes of a value are all there is to it. Eigen's small types are arrays, too, but
+/// do not say so.
+template <class T>
+inline constexpr bool is_plain = std::is_trivially_copyable_v<T>;
+template <>
+inline constexpr bool is_plain<Vec3> = true;
+template <>
+inline constexpr bool is_plain<Quat> = true;
+
+class StateWriter {
+  public:
+    template <class T>
+    void operator()(const std::string& name, const std::vector<T>& values) {
+        add(name, values.data(), values.size());
+    }
+    template <class T>
+    void operator()(const std::string& name, const T& value) {
+        add(name, &value, 1);
+    }
+
+    Checkpoint take() { return std::move(checkpoint_); }
+
+  private:
+    template <class T>
+    void add(const std::string& name, const T* values, std::size_t count) {
+        static_assert(is_plain<T>);
+        const auto* first = reinterpret_cast<const std::byte*>(values);
+        PlainValues stored{typeid(T).name(), sizeof(T), {}};
+        if (count > 0) stored.bytes.assign(first, first + count * sizeof(T));
+        const bool is_new = checkpoint_.emplace(name, std::move(stored)).second;
+        DEM_ASSERT(is_new);
+        static_cast<void>(is_new);
+    }
+
+    Checkpoint checkpoint_;
+};
+
+/// Throws Error naming the file for what is missing, of another type, or left over.
+class StateReader {
+  public:
+    StateReader(Checkpoint checkpoint, std::string where)
+        : checkpoint_(std::move(checkpoint)), where_(std::move(where)) {}
+
+    bool has(const std::string& name) const { return checkpoint_.contains(name); }
+
+    template <class T>
+    void operator()(const std::string& name, std::vector<T>& values) {
+        const PlainValues stored = take<T>(name);
+        values.resize(stored.bytes.size() / sizeof(T));
+        copy(stored, values.data());
+    }
+    template <class T>
+    void operator()(const std::string& name, T& value) {
+        const PlainValues stored = take<T>(name);
+        if (stored.bytes.size() != sizeof(T)) fail("holds no single '" + name + "'");
+        copy(stored, &value);
+    }
+
+    /// Everything must have been asked for: the rest is state that this program does not have.
+    void finish() const {
+        if (!checkpoint_.empty()) {
+            fail("holds '" + checkpoint_.begin()->first + "', which this program does not know");
+        }
+    }
+
+    [[noreturn]] void fail(const std::string& found) const {
+        throw Error(where_, found + ", expected a checkpoint of this program and case");
+    }
+
+  private:
+    template <class T>
+    PlainValues take(const std::string& name) {
+        static_assert(is_plain<T>);
+        const auto entry = checkpoint_.extract(name);
+        if (entry.empty()) fail("holds no '" + name + "'");
+        const PlainValues& stored = entry.mapped();
+        if (stored.type != typeid(T).name() || stored.value_bytes != sizeof(T)) {
+            fail("holds '" + name + "' of another type");
+        }
+        return stored;
+    }
+    template <class T>
+    static void copy(const PlainValues& stored, T* values) {
+        if (stored.bytes.empty()) return;
+        std::memcpy(static_cast<void*>(values), stored.bytes.data(), stored.bytes.size());
+    }
+
+    Checkpoint checkpoint_;
+    std::string where_;
+};
+
+}  // namespace dem

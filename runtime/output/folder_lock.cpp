@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/output/folder_lock.hpp"
+
+#include "common/error.hpp"
+
+#include <array>
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace dem {
+
+namespace {
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error || !std::filesystem::is_directory(folder)) {
+        throw Error(folder.string(), "cannot make the output folder" +
+                                         (error ? ": " + error.message() : std::string()));
+    }
+}
+
+/// " (process 1234)" from the lock file, "" when it says nothing.
+std::string owner(int descriptor) {
+    std::array<char, 16> text{};
+    const ssize_t size = pread(descriptor, text.data(), text.size(), 0);
+    return size > 0 ? " (process " + std::string(text.data(), static_cast<std::size_t>(size)) + ")"
+                    : "";
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const std::filesystem::path& folder) {
+    make_folder(folder);
+    const std::filesystem::path file = folder / ".demrun.lock";
+    descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC,
+                       S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH);
+    if (descriptor_ < 0) {
+        throw Error(folder.string(), "cannot write: " + std::generic_category().message(errno));
+    }
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        const std::string other = owner(descriptor_);
+        close(descriptor_);
+        throw Error(folder.string(), "another demrun" + other +
+                                         " is writing here, expected a folder of its own (--out)");
+    }
+    // For the message above only: a run does not fail because its number cannot be noted.
+    const std::string number = std::to_string(getpid());
+    if (ftruncate(descriptor_, 0) == 0) {
+        [[maybe_unused]] const ssize_t written =
+            pwrite(descriptor_, number.data(), number.size(), 0);
+    }
+}
+
+FolderLock::~FolderLock() {
+    close(descriptor_);
+}
+
+}  // namespace dem

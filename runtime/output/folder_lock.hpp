@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+
+namespace dem {
+
+/// Keeps other runs out of a folder for as long as it lives, so that two of them cannot mix their
+/// files. The system holds the lock for the process, however that ends: the file `.demrun.lock`
+/// that stays behind blocks nobody.
+class FolderLock {
+  public:
+    /// Makes the folder when it is missing. Throws Error when that is impossible, the folder cannot
+    /// be written or another run has locked it. A file system without locks is taken as it is.
+    explicit FolderLock(const std::filesystem::path& folder);
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+  private:
+    int descriptor_;
+};
+
+}  // namespace dem
