@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapegen/repair/repair.hpp"
+
+#include "common/error.hpp"
+#include "shapegen/repair/holes.hpp"
+#include "shapegen/repair/oriented_surface.hpp"
+#include "shapegen/repair/self_intersections.hpp"
+#include "shapegen/repair/shells.hpp"
+#include "shapegen/repair/soup_cleaning.hpp"
+#include "shapegen/repair/t_junctions.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace dem {
+namespace {
+
+/// What rounding to single precision or to six digits moves a point by, at most.
+double rounding_distance(const TriangleSoup& soup) {
+    Aabb box;
+    for (const Vec3& p : soup.points) box.extend(p);
+    const double magnitude =
+        std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
+    return std::max(1e-6 * (box.upper - box.lower).norm(), 2.5e-7 * magnitude);
+}
+
+void clean(TriangleSoup& soup, RepairReport& report) {
+    share_points(soup);
+    remove_collapsed(soup, report);
+    remove_duplicates(soup, report);
+    const double distance = rounding_distance(soup);
+    close_cracks(soup, distance, report);
+    split_at_t_junctions(soup, distance, report);
+    remove_collapsed(soup, report);
+    remove_duplicates(soup, report);
+    if (soup.triangles.empty())
+        throw Error("found no triangles with an area, expected a closed surface");
+}
+
+[[noreturn]] void refuse(const std::vector<Finding>& refused, const RepairOptions& options,
+                         double volume) {
+    std::string message = "found ";
+    for (const Finding& finding : refused)
+        message +=
+            (&finding == refused.data() ? "" : "; ") + describe(finding, options.file_unit, volume);
+    if (!(volume > 0.0)) message += "; the surface encloses no volume";
+    throw Error(message);
+}
+
+void check_limit(const RepairReport& report, const RepairOptions& options) {
+    if (report.changed_fraction() <= options.limit) return;
+    std::string message = "found ";
+    std::string_view separator;
+    for (const Finding& finding : report.findings) {
+        if (finding.volume == 0.0) continue;
+        message += separator;
+        message += describe(finding, options.file_unit, report.volume);
+        separator = "; ";
+    }
+    throw Error(message + "; expected at most " + percentage(options.limit) + " (--repair-limit)");
+}
+
+}  // namespace
+
+RepairedMesh repair(TriangleSoup soup, const RepairOptions& options) {
+    const auto stage = [&options](double done, std::string_view next) {
+        if (options.progress) options.progress(done, next);
+    };
+    RepairedMesh result;
+    RepairReport& report = result.report;
+    stage(0.0, "joining triangles");
+    clean(soup, report);
+    stage(0.2, "orienting triangles");
+    SurfaceMesh surface = oriented_surface(soup, report);
+    soup = {};
+    stage(0.4, "closing holes");
+    std::vector<Finding> refused = close_holes(surface, options.limit, report);
+    std::ranges::move(remove_flat_triangles(surface, report), std::back_inserter(refused));
+    stage(0.5, "looking for crossing triangles");
+    if (refused.empty()) {
+        refused = remove_self_intersections(surface, report);
+    } else if (Finding crossing = self_intersections(surface); crossing.count > 0) {
+        refused.push_back(crossing);
+    }
+    stage(0.9, "sorting shells");
+    if (refused.empty()) {
+        result.mesh = triangle_mesh(surface);
+        refused = keep_one_body(result.mesh, {options.limit, options.keep_largest}, report);
+    }
+    if (!refused.empty()) refuse(refused, options, report.volume);
+    check_limit(report, options);
+    stage(1.0, "done");
+    return result;
+}
+
+}  // namespace dem

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "common/shapes/triangle_mesh.hpp"
+#include "shapegen/import/triangle_soup.hpp"
+#include "shapegen/repair/repair_report.hpp"
+
+#include <functional>
+#include <string_view>
+
+namespace dem {
+
+/// Called with the part of the work that is done, 0 to 1, and what comes next.
+using StageProgress = std::function<void(double done, std::string_view next)>;
+
+struct RepairOptions {
+    double limit = 0.01;        ///< largest fraction of the volume that repairs may put at stake
+    bool keep_largest = false;  ///< of several bodies
+    double file_unit = 1.0;     ///< metres per coordinate of the file, for places in messages
+    StageProgress progress = nullptr;  ///< may be empty
+};
+
+struct RepairedMesh {
+    TriangleMesh mesh;
+    RepairReport report;
+};
+
+/// The surface of one solid from the triangles of a file (docs/mesh-import.md): closed, manifold,
+/// outward, not crossing itself. Everything that was changed is in the report. Throws Error with
+/// one line that lists all that could not be repaired, or not within the limit.
+RepairedMesh repair(TriangleSoup soup, const RepairOptions& options = {});
+
+}  // namespace dem

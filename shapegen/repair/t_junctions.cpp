@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapegen/repair/t_junctions.hpp"
+
+#include "shapegen/repair/soup_cleaning.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace dem {
+namespace {
+
+using Points = std::vector<std::uint32_t>;
+
+/// The ends of the open edges, sorted by each coordinate, to look up those near an edge.
+std::array<Points, 3> sorted_ends(const TriangleSoup& soup, const std::vector<SoupEdge>& edges) {
+    std::array<Points, 3> sorted;
+    for (const auto& [triangle, side] : edges) {
+        sorted[0].push_back(soup.triangles[triangle][side]);
+        sorted[0].push_back(soup.triangles[triangle][(side + 1) % 3]);
+    }
+    std::sort(sorted[0].begin(), sorted[0].end());
+    sorted[0].erase(std::unique(sorted[0].begin(), sorted[0].end()), sorted[0].end());
+    sorted[1] = sorted[2] = sorted[0];
+    for (int axis = 0; axis < 3; ++axis) {
+        Points& points = sorted[static_cast<std::size_t>(axis)];
+        std::stable_sort(points.begin(), points.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return soup.points[a][axis] < soup.points[b][axis];
+        });
+    }
+    return sorted;
+}
+
+/// The points in the slab around an edge that holds the fewest: of the three across the axes.
+std::span<const std::uint32_t> candidates(const TriangleSoup& soup,
+                                          const std::array<Points, 3>& sorted, const Vec3& low,
+                                          const Vec3& high) {
+    std::span<const std::uint32_t> fewest = sorted[0];
+    for (int axis = 0; axis < 3; ++axis) {
+        const Points& points = sorted[static_cast<std::size_t>(axis)];
+        const auto first = std::partition_point(points.begin(), points.end(), [&](std::uint32_t p) {
+            return soup.points[p][axis] < low[axis];
+        });
+        const auto last = std::partition_point(first, points.end(), [&](std::uint32_t p) {
+            return soup.points[p][axis] <= high[axis];
+        });
+        const std::span<const std::uint32_t> slab(first, last);
+        if (slab.size() < fewest.size()) fewest = slab;
+    }
+    return fewest;
+}
+
+/// The open points inside the edge from a to b, from a to b.
+Points points_on_edge(const TriangleSoup& soup, const std::array<Points, 3>& sorted,
+                      std::pair<std::uint32_t, std::uint32_t> ends, double distance) {
+    const Vec3& a = soup.points[ends.first];
+    const Vec3& b = soup.points[ends.second];
+    const Vec3 ab = b - a;
+    const double length = ab.norm();
+    const Vec3 margin = Vec3::Constant(distance);
+    std::vector<std::pair<double, std::uint32_t>> found;
+    for (const std::uint32_t point :
+         candidates(soup, sorted, a.cwiseMin(b) - margin, a.cwiseMax(b) + margin)) {
+        const Vec3 offset = soup.points[point] - a;
+        const double along = offset.dot(ab) / length;
+        if (along <= distance || along >= length - distance) continue;
+        if ((offset - along / length * ab).norm() <= distance) found.emplace_back(along, point);
+    }
+    std::sort(found.begin(), found.end());
+    Points on_edge;
+    for (const auto& [along, point] : found) on_edge.push_back(point);
+    return on_edge;
+}
+
+/// Splits every triangle at one of its edges at most. Returns whether any was split.
+bool split_once(TriangleSoup& soup, double distance, Finding& finding) {
+    const std::vector<SoupEdge> edges = open_edges(soup);
+    const std::array<Points, 3> sorted = sorted_ends(soup, edges);
+    const std::size_t before = soup.triangles.size();
+    std::vector<bool> is_split(before, false);
+    for (const auto& [triangle, side] : edges) {
+        if (is_split[triangle]) continue;
+        const std::uint32_t a = soup.triangles[triangle][side];
+        const std::uint32_t b = soup.triangles[triangle][(side + 1) % 3];
+        const std::uint32_t tip = soup.triangles[triangle][(side + 2) % 3];
+        Points on_edge = points_on_edge(soup, sorted, {a, b}, distance);
+        std::erase(on_edge, tip);
+        if (on_edge.empty()) continue;
+        if (finding.count == 0) finding.place = soup.points[on_edge.front()];
+        finding.count += on_edge.size();
+        is_split[triangle] = true;
+        soup.triangles[triangle] = {a, on_edge.front(), tip};
+        on_edge.push_back(b);
+        for (std::size_t k = 1; k < on_edge.size(); ++k)
+            soup.triangles.push_back({on_edge[k - 1], on_edge[k], tip});
+    }
+    return soup.triangles.size() > before;
+}
+
+}  // namespace
+
+void split_at_t_junctions(TriangleSoup& soup, double distance, RepairReport& report) {
+    Finding finding{.what = "corners on the edge of a neighbor", .treatment = "neighbor split"};
+    // A triangle has three edges; each round leaves fewer points inside the open ones.
+    for (int round = 0; round < 3 && split_once(soup, distance, finding); ++round) continue;
+    if (finding.count > 0) report.findings.push_back(finding);
+}
+
+}  // namespace dem

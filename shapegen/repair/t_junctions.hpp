@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "shapegen/import/triangle_soup.hpp"
+#include "shapegen/repair/repair_report.hpp"
+
+namespace dem {
+
+/// Splits triangles with an open edge at the open points that lie within `distance` [m] of it, so
+/// that they fit their neighbors: CAD programs mesh the faces of a solid one by one.
+void split_at_t_junctions(TriangleSoup& soup, double distance, RepairReport& report);
+
+}  // namespace dem
