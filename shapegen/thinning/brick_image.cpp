@@ -31,7 +31,7 @@ BrickImage::BrickImage(const VoxelGrid& grid)
       layers_(static_cast<int>(bricks_along(grid.size[2]))),
       row_stride_(bricks_along(grid.size[0])),
       layer_stride_(row_stride_ * bricks_along(grid.size[1])),
-      bricks_(static_cast<std::size_t>(layer_stride_ * (layers_ + 2)), 0) {}
+      bricks_(static_cast<std::size_t>(layer_stride_ * (layers_ + 2) + 2 * margin()), 0) {}
 
 BrickImage::BrickImage(const VoxelImage& image) : BrickImage(image.grid()) {
     for_each_word(grid_, *this, [&](std::ptrdiff_t word, std::ptrdiff_t brick, int shift) {
