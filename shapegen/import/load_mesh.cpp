@@ -40,7 +40,7 @@ LoadedMesh load_mesh(const std::filesystem::path& path, const MeshLoadOptions& o
     const double file_unit = unit_factor(unit, Dimension::length) * options.scale;
     for (Vec3& point : file.soup.points) point *= file_unit;
 
-    constexpr double reading = 0.15;  // of the time
+    constexpr double reading = 0.05;  // of the time
     const RepairOptions repair_options{.limit = options.repair_limit,
                                        .keep_largest = options.keep_largest,
                                        .file_unit = file_unit,

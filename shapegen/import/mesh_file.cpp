@@ -165,13 +165,20 @@ const aiScene* read_scene(Assimp::Importer& importer, const std::filesystem::pat
     return importer.ReadFileFromMemory(text.data(), text.size(), 0, "off");
 }
 
+std::string reason(const Assimp::Importer& importer) {
+    const std::string text = importer.GetErrorString();
+    if (text.find("STL storage representation") != std::string::npos)
+        return "neither text that begins with solid nor a size that fits the number of faces";
+    return '\'' + one_line(text) + '\'';
+}
+
 MeshFile read(const std::filesystem::path& path, const std::string& extension) {
     const WarningLog log;
     Assimp::Importer importer;
     const aiScene* scene = read_scene(importer, path, extension);
     if (scene == nullptr || scene->mRootNode == nullptr)
-        throw Error("found '" + one_line(importer.GetErrorString()) + "', expected a mesh as " +
-                    extension + " describes it");
+        throw Error("found " + reason(importer) + ", expected a mesh as " + extension +
+                    " describes it");
     check_facets(log.lines());
     const bool has_polygons = std::any_of(
         scene->mMeshes, scene->mMeshes + scene->mNumMeshes,

@@ -136,8 +136,9 @@ std::vector<Finding> close_holes(SurfaceMesh& mesh, double limit, RepairReport& 
     Finding holes = summary(found.holes, mesh);
     report.volume = found.volume;
     if (holes.count == 0) return {};
-    if (!(holes.volume <= most) || !(found.volume > 0.0)) {
+    if (!(found.volume > 0.0) || holes.volume > most) {
         holes.treatment = "expected a closed surface";
+        if (found.volume > 0.0) holes.treatment += " or --repair-limit above that";
         return {holes};
     }
     Finding unfit{.what = "holes", .treatment = "no patch fits"};

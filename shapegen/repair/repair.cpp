@@ -67,23 +67,24 @@ RepairedMesh repair(TriangleSoup soup, const RepairOptions& options) {
     const auto stage = [&options](double done, std::string_view next) {
         if (options.progress) options.progress(done, next);
     };
+    // The parts of the time that the stages take for two million triangles.
     RepairedMesh result;
     RepairReport& report = result.report;
     stage(0.0, "joining triangles");
     clean(soup, report);
-    stage(0.2, "orienting triangles");
+    stage(0.32, "orienting triangles");
     SurfaceMesh surface = oriented_surface(soup, report);
     soup = {};
-    stage(0.4, "closing holes");
+    stage(0.6, "closing holes");
     std::vector<Finding> refused = close_holes(surface, options.limit, report);
     std::ranges::move(remove_flat_triangles(surface, report), std::back_inserter(refused));
-    stage(0.5, "looking for crossing triangles");
+    stage(0.62, "looking for crossing triangles");
     if (refused.empty()) {
         refused = remove_self_intersections(surface, report);
     } else if (Finding crossing = self_intersections(surface); crossing.count > 0) {
         refused.push_back(crossing);
     }
-    stage(0.9, "sorting shells");
+    stage(0.98, "sorting shells");
     if (refused.empty()) {
         result.mesh = triangle_mesh(surface);
         refused = keep_one_body(result.mesh, {options.limit, options.keep_largest}, report);

@@ -14,7 +14,12 @@ double RepairReport::changed_fraction() const {
 
 std::string percentage(double fraction) {
     std::ostringstream out;
-    out << std::setprecision(fraction < 0.1 ? 2 : 3) << 100.0 * fraction << " %";
+    if (fraction >= 0.1) {
+        out << std::fixed << std::setprecision(0);
+    } else {
+        out << std::setprecision(2);
+    }
+    out << 100.0 * fraction << " %";
     return out.str();
 }
 
@@ -22,10 +27,10 @@ std::string describe(const Finding& finding, double file_unit, double volume) {
     std::ostringstream out;
     const Vec3 place = finding.place / file_unit;
     out << finding.what << ": " << finding.count << (finding.count > 1 ? ", one at (" : " at (")
-        << std::setprecision(6) << place.x() << ", " << place.y() << ", " << place.z() << "), "
-        << finding.treatment;
+        << std::setprecision(6) << place.x() << ", " << place.y() << ", " << place.z() << "), ";
     if (finding.volume > 0.0 && volume > 0.0)
-        out << ", " << percentage(finding.volume / volume) << " of the volume";
+        out << percentage(finding.volume / volume) << " of the volume, ";
+    out << finding.treatment;
     return out.str();
 }
 

@@ -26,7 +26,7 @@ struct RepairReport {
     double changed_fraction() const;
 };
 
-/// "holes: 5, one at (-43.7, 33.9, 9.3), closed, 0.21 % of the volume". Places in the coordinates
+/// "holes: 5, one at (-43.7, 33.9, 9.3), 0.21 % of the volume, closed". Places in the coordinates
 /// of the file, `file_unit` metres each; `volume` [m^3] is what the percentage refers to, 0 leaves
 /// it out.
 std::string describe(const Finding& finding, double file_unit, double volume);
@@ -34,7 +34,7 @@ std::string describe(const Finding& finding, double file_unit, double volume);
 /// One line per finding, then the fraction in all.
 std::vector<std::string> describe(const RepairReport& report, double file_unit);
 
-/// "0.21 %", two or three digits.
+/// "0.21 %", "3510 %": two digits, whole numbers from 10 % on.
 std::string percentage(double fraction);
 
 }  // namespace dem

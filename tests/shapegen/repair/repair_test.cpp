@@ -5,8 +5,8 @@
 #include "common/random.hpp"
 #include "tests/common/shapes/sample_meshes.hpp"
 #include "tests/formats/temporary_folder.hpp"
+#include "tests/shapegen/repair/closed_surface.hpp"
 
-#include <map>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -27,16 +27,6 @@ TriangleSoup apart(const TriangleMesh& mesh) {
         soup.triangles.push_back({n, n + 1, n + 2});
     }
     return soup;
-}
-
-/// Every edge belongs to two triangles that pass it in opposite directions.
-bool is_closed_and_oriented(const TriangleMesh& mesh) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed;
-    for (const auto& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k) ++directed[{t[k], t[(k + 1) % 3]}];
-    for (const auto& [edge, count] : directed)
-        if (count != 1 || !directed.contains({edge.second, edge.first})) return false;
-    return true;
 }
 
 const Finding* find(const RepairReport& report, const std::string& what) {
