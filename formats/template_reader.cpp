@@ -2,6 +2,7 @@
 #include "formats/template_reader.hpp"
 
 #include "common/error.hpp"
+#include "common/shapes/support_map.hpp"
 #include "formats/memory_map.hpp"
 #include "formats/template_check.hpp"
 #include "formats/template_header.hpp"
@@ -99,6 +100,7 @@ class Decoder {
         if (const schema::SupportMap* map = sr.support()) {
             result.support = {array<SupportPiece>(map->pieces()), array<double>(map->piece_end()),
                               array<std::uint32_t>(map->first_piece())};
+            result.support.longest_radius = longest_radius(result.support);
         }
         result.sdf = decode(*sr.sdf());
         result.curvature = array<CurvatureSample>(sr.curvature());

@@ -14,6 +14,12 @@ using Mat3 = Eigen::Matrix3d;
 /// Orientation, body -> world. Unaligned so that structs holding one can be copied byte by byte.
 using Quat = Eigen::Quaternion<double, Eigen::DontAlign>;
 
+/// World direction of body z: the axis of a surface of revolution, of a cylinder, a plane's normal.
+inline Vec3 body_axis(const Quat& q) {
+    return {2.0 * (q.x() * q.z() + q.w() * q.y()), 2.0 * (q.y() * q.z() - q.w() * q.x()),
+            1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y())};
+}
+
 /// A Vec3 in memory that is copied, stored and sent byte by byte (Eigen's own is not trivially
 /// copyable).
 struct StoredVec3 {

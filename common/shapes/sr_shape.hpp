@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 /// What `shapegen` computes for a surface of revolution (SR) and `demrun` uses. Body frame: origin
 /// at the centre of mass, axis of revolution = body z; the half cross-section lies in (r, z) with
@@ -30,6 +31,9 @@ struct SupportMap {
     SharedArray<double> piece_end;     ///< n, the largest q of each piece; the last is 1
     SharedArray<std::uint32_t>
         first_piece;  ///< m + 1: bucket k covers q in [2k/m - 1, 2(k+1)/m - 1)
+    /// Largest radius of curvature of the surface, in any direction [m]; infinite: not known.
+    /// Follows from the pieces (support_map.hpp, longest_radius()) and is not stored in files.
+    double longest_radius = std::numeric_limits<double>::infinity();
 };
 
 /// Signed distance field of the half cross-section on a two-level grid, negative inside

@@ -3,7 +3,9 @@
 
 #include "common/shapes/sr_shape.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dem {
 
@@ -28,6 +30,22 @@ inline std::uint32_t support_piece(const SupportMap& map, double q) {
     std::uint32_t piece = map.first_piece[k];
     while (q > map.piece_end[piece]) ++piece;  // the last piece ends at q = 1
     return piece;
+}
+
+/// Radius of curvature of a piece where it is flattest [m].
+inline double longest_radius(const SupportPiece& p) {
+    const double longer = std::max(p.a, p.b);
+    const double shorter = std::min(p.a, p.b);
+    if (longer == 0.0) return 0.0;
+    return shorter > 0.0 ? longer * longer / shorter : std::numeric_limits<double>::infinity();
+}
+
+/// Of all pieces. No radius of curvature across the meridian is larger: the circumferential one is
+/// a mean of the meridional ones between the pole and the place.
+inline double longest_radius(const SupportMap& map) {
+    double longest = 0.0;
+    for (const SupportPiece& p : map.pieces) longest = std::max(longest, longest_radius(p));
+    return longest;
 }
 
 /// Support point of the unit direction (n_r, n_z), n_r >= 0 (sr_shape.hpp, SupportPiece).

@@ -7,12 +7,35 @@
 
 namespace dem {
 
+/// Directions across a cylinder's axis are unit vectors in the plane, so that nothing here takes a
+/// sine of an angle: each evaluation would cost twice as much.
+namespace planar {
+
+inline double cross(const Vec2& u, const Vec2& v) {
+    return u.x() * v.y() - u.y() * v.x();
+}
+/// Turned anticlockwise by atan(t).
+inline Vec2 turned(const Vec2& u, double t) {
+    return Vec2(u.x() - t * u.y(), u.y() + t * u.x()) / std::sqrt(1.0 + t * t);
+}
+/// The sum of two angles.
+inline Vec2 sum(const Vec2& u, const Vec2& v) {
+    return {u.x() * v.x() - u.y() * v.y(), u.x() * v.y() + u.y() * v.x()};
+}
+/// Grows with the angle from `from` to u, from -2 at -180 degrees by way of 0 to 2.
+inline double turn_measure(const Vec2& from, const Vec2& u) {
+    const double cosine = from.dot(u);
+    return cross(from, u) >= 0.0 ? 1.0 - cosine : cosine - 1.0;
+}
+
+}  // namespace planar
+
 /// A convex surface of revolution seen along a cylinder's axis: how far its outline reaches from
-/// the axis in each direction e(psi) across it,
+/// the axis in each direction e across it,
 ///     F(psi) = e . (c + x),  F' = tau . (c + x),  F'' = sense rho - F,
-/// c centre of the body relative to the axis, x support point towards `sense` e, tau = e', rho
-/// radius of curvature of the outline. sense = +1: farthest from the axis; -1: nearest to it. psi =
-/// 0 is where the body's own axis points.
+/// psi angle of e, c centre of the body relative to the axis, x support point towards `sense` e,
+/// tau = e', rho radius of curvature of the outline. sense = +1: farthest from the axis; -1:
+/// nearest to it. Directions are (cos psi, sin psi); (1, 0) is where the body's own axis points.
 class PlanarOutline {
   public:
     struct Sample {
@@ -36,14 +59,18 @@ class PlanarOutline {
     }
 
     double tilt() const { return tilt_; }  ///< sine of the angle between the axes
-    double angle_of(const Vec3& v) const { return std::atan2(v.dot(e2_), v.dot(e1_)); }
 
-    Sample at(double psi) const {
-        const double cosine = std::cos(psi);
-        const double sine = std::sin(psi);
+    /// Direction of a vector across the axis; (1, 0) for none.
+    Vec2 towards(const Vec3& v) const {
+        const Vec2 u(v.dot(e1_), v.dot(e2_));
+        const double length = u.norm();
+        return length > 0.0 ? Vec2(u / length) : Vec2::UnitX();
+    }
+
+    Sample at(const Vec2& u) const {
         Sample s;
-        s.e = cosine * e1_ + sine * e2_;
-        const Vec3 tau = cosine * e2_ - sine * e1_;
+        s.e = u.x() * e1_ + u.y() * e2_;
+        const Vec3 tau = u.x() * e2_ - u.y() * e1_;
         s.support = support_(sense_ * s.e);
         const double m = s.support.meridian.dot(tau);
         s.value = center_.dot(s.e) + sense_ * s.support.h;
@@ -53,24 +80,34 @@ class PlanarOutline {
         return s;
     }
 
-    /// Local maximum of F in [low, high], where F rises at `low` and falls at `high`: Newton on F',
-    /// kept inside the bracket by bisection.
-    Sample maximum(double low, double high) const {
-        double psi = 0.5 * (low + high);
-        Sample s = at(psi);
+    /// Local maximum of F between `low` and `high`, less than 180 degrees apart, where F rises at
+    /// `low` and falls at `high`: Newton on F' from `start`, kept inside the bracket by bisection.
+    Sample maximum(Vec2 low, Vec2 high, const Vec2& start) const {
+        Vec2 u = start;
+        Sample s = at(u);
         for (int k = 0; k < 100; ++k) {
-            (s.slope >= 0.0 ? low : high) = psi;
-            double next = psi - s.slope / s.curvature;
-            if (!(s.curvature < 0.0) || !(next > low && next < high)) next = 0.5 * (low + high);
-            const double step = std::abs(next - psi);
-            psi = next;
-            s = at(psi);
-            if (step <= 1e-9) break;  // what is left is the square of it
+            const double t = -s.slope / s.curvature;
+            if (s.curvature < 0.0 && std::abs(t) <= square(step_tolerance)) break;
+            (s.slope >= 0.0 ? low : high) = u;
+            u = planar::turned(u, t);
+            const bool is_newton = s.curvature < 0.0 && is_between(low, u, high);
+            if (!is_newton) u = (low + high).normalized();
+            s = at(u);
+            if (is_newton && std::abs(t) <= step_tolerance) break;
         }
         return s;
     }
+    Sample maximum(const Vec2& low, const Vec2& high) const {
+        return maximum(low, high, (low + high).normalized());
+    }
+
+    static bool is_between(const Vec2& low, const Vec2& u, const Vec2& high) {
+        return planar::cross(low, u) > 0.0 && planar::cross(u, high) > 0.0;
+    }
 
   private:
+    static constexpr double step_tolerance = 1e-6;  ///< [rad]; what is left is the square of it
+
     SrSupport support_;
     Vec3 center_, e1_, e2_;
     double sense_;

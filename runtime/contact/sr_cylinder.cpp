@@ -30,115 +30,192 @@ void add_point(WallTouch& touch, const Vec3& x, const Vec3& n, double overlap,
     *place = {x + 0.5 * overlap * n, n, overlap, 0};
 }
 
-/// |psi| at which the direction leaves a piece of the support map that ends at q; > pi if it never
-/// does.
-double border_angle(double q, double tilt) {
-    const double along = 1.0 - std::abs(q);
-    const double u = q / std::sqrt(q * q + along * along);
-    return std::abs(u) < tilt ? std::acos(u / tilt) : 2.0 * pi;
-}
+/// The part of the circle of directions in which a body can reach the wall.
+struct Window {
+    Vec2 middle;
+    Vec2 half;  ///< (cosine, sine) of half its angle, at most 180 degrees
 
-/// Angles that divide the outline so that between two neighbours its distance from the axis has at
-/// most one maximum that matters: a regular division, and the borders of flat pieces, those whose
-/// radius of curvature can reach the cylinder's.
+    Vec2 low() const { return planar::sum(middle, {half.x(), -half.y()}); }
+    Vec2 high() const { return planar::sum(middle, half); }
+    /// planar::turn_measure() of its upper end.
+    double end() const { return half.y() > 0.0 ? 1.0 - half.x() : 2.0; }
+};
+
+/// Directions that divide the window so that between two neighbors the outline's distance from the
+/// axis has at most one maximum that matters: a regular division, and the borders of the flat
+/// parts. Where nothing is flatter than the wall one is enough for less than 180 degrees: two
+/// places at the wall would have the outline between them outside of the arc of the wall's radius
+/// through both (Blaschke's rolling theorem), so that it is one place.
 class OutlineDivision {
   public:
-    OutlineDivision(const SupportMap& map, double tilt, double wall_radius)
-        : map_(map), tilt_(tilt), wall_radius_(wall_radius) {
-        has_flat_ = std::any_of(map.pieces.begin(), map.pieces.end(),
-                                [&](const SupportPiece& p) { return is_flat(p); });
-    }
+    OutlineDivision(const SupportMap& map, double tilt, double flat_radius, const Window& window)
+        : map_(map),
+          tilt_(tilt),
+          flat_radius_(flat_radius),
+          window_(window),
+          has_flat_(map.longest_radius > flat_radius) {}
 
-    /// The first dividing angle after psi.
-    double after(double psi) const {
-        double next = (std::floor(psi / regular) + 1.0) * regular;
-        if (next - psi < least) next += regular;
-        if (!has_flat_) return next;
-        for (std::size_t k = 0; k < map_.pieces.size(); ++k) {
-            if (!is_flat(map_.pieces[k])) continue;
-            consider(psi, map_.piece_end[k], next);
-            if (k > 0) consider(psi, map_.piece_end[k - 1], next);
-        }
-        return next;
+    /// The next dividing direction after the one of this measure, the end of the window at last.
+    Vec2 after(double& measure) const {
+        Next next{window_.high(), window_.end()};
+        const std::size_t stride = has_flat_ ? 1 : 3;
+        for (std::size_t k = 0; k < regular.size(); k += stride)
+            consider(planar::sum(window_.middle, regular[k]), measure, next);
+        if (has_flat_) consider_borders(measure, next);
+        measure = next.measure;
+        return next.u;
     }
 
   private:
-    static constexpr double regular = pi / 6.0;
+    struct Next {
+        Vec2 u;
+        double measure;
+    };
     static constexpr double least = 1e-9;
+    static constexpr double half_sqrt3 = 0.86602540378443864676;
+    static inline const std::array<Vec2, 12> regular = {
+        Vec2{1.0, 0.0},  Vec2{half_sqrt3, 0.5},   Vec2{0.5, half_sqrt3},
+        Vec2{0.0, 1.0},  Vec2{-0.5, half_sqrt3},  Vec2{-half_sqrt3, 0.5},
+        Vec2{-1.0, 0.0}, Vec2{-half_sqrt3, -0.5}, Vec2{-0.5, -half_sqrt3},
+        Vec2{0.0, -1.0}, Vec2{0.5, -half_sqrt3},  Vec2{half_sqrt3, -0.5}};
 
-    bool is_flat(const SupportPiece& p) const {
-        const double longer = std::max(p.a, p.b);
-        return longer * longer > wall_radius_ * std::min(p.a, p.b) && longer > 0.0;
+    void consider(const Vec2& u, double measure, Next& next) const {
+        const double m = planar::turn_measure(window_.middle, u);
+        if (m > measure + least && m < next.measure - least) next = {u, m};
     }
-    void consider(double psi, double q, double& next) const {
-        const double border = border_angle(q, tilt_);
-        if (border > pi) return;
-        for (const double angle : {border, -border}) {
-            const double turns = std::ceil((psi + least - angle) / (2.0 * pi));
-            next = std::min(next, angle + 2.0 * pi * turns);
+    void consider_borders(double measure, Next& next) const {
+        bool was_flat = false;
+        for (std::size_t k = 0; k < map_.pieces.size(); ++k) {
+            const bool is_flat = longest_radius(map_.pieces[k]) > flat_radius_;
+            if (k > 0 && is_flat != was_flat) consider_border(map_.piece_end[k - 1], measure, next);
+            was_flat = is_flat;
         }
+    }
+    /// Both directions at which the outline passes the end q of a piece.
+    void consider_border(double q, double measure, Next& next) const {
+        const double along = 1.0 - std::abs(q);
+        const double cosine = q / (std::sqrt(q * q + along * along) * tilt_);
+        if (!(std::abs(cosine) < 1.0)) return;
+        const double sine = std::sqrt(1.0 - cosine * cosine);
+        consider({cosine, sine}, measure, next);
+        consider({cosine, -sine}, measure, next);
     }
 
     const SupportMap& map_;
-    double tilt_, wall_radius_;
+    double tilt_, flat_radius_;
+    const Window& window_;
     bool has_flat_;
+};
+
+/// One body at the inside of a cylinder.
+class InsideSearch {
+  public:
+    InsideSearch(const SrShape& a, const SrSupport& support, const CylinderWall& wall,
+                 const Vec3& axis, const Vec3& center)
+        : a_(a),
+          wall_(wall),
+          axis_(axis),
+          center_(center),
+          off_axis_(center - center.dot(axis) * axis),
+          distance_(off_axis_.norm()),
+          outline_(support, axis, off_axis_, 1.0) {}
+
+    double gap_of_bounding_sphere() const { return wall_.radius - distance_ - a_.bounding_radius; }
+
+    /// The one place that touches, of a body nowhere flatter than the wall, near where it did.
+    bool follow(const PatchHistory& history, WallTouch& touch) const {
+        if (history.used != 1 || a_.support.longest_radius > wall_.radius) return false;
+        const Vec2 start = outline_.towards(-Vec3(history.slots[0].normal));
+        const Vec2 low = planar::turned(start, -reach);
+        const Vec2 high = planar::turned(start, reach);
+        const PlanarOutline::Sample s = outline_.maximum(low, high, start);
+        if (!(s.value > wall_.radius) || std::abs(s.slope) > 1e-9 * wall_.radius) return false;
+        add(s, touch);
+        return touch.count == 1;
+    }
+
+    void search(const PatchHistory& history, WallTouch& touch) const {
+        // Outside of the window every point of the bounding sphere stays at least `clear` away from
+        // the wall: nothing that is not looked at there can lessen a gap below.
+        const double clear = 0.1 * a_.bounding_radius;
+        const double inner = wall_.radius - clear;
+        const double cosine = distance_ > 0.0 ? (inner - a_.bounding_radius) / distance_ : -1.0;
+        const double c = std::clamp(cosine, -1.0, 1.0);
+        const Window window{outline_.towards(off_axis_), {c, std::sqrt(1.0 - c * c)}};
+        const OutlineDivision division(a_.support, outline_.tilt(), inner, window);
+
+        double largest = inner;
+        double measure = -window.end();
+        Vec2 low = window.low();
+        double low_slope = outline_.at(low).slope;
+        while (measure < window.end()) {
+            const Vec2 high = division.after(measure);
+            const double high_slope = outline_.at(high).slope;
+            if (low_slope >= 0.0 && high_slope < 0.0) {
+                const PlanarOutline::Sample s =
+                    outline_.maximum(low, high, start_between(low, high, history));
+                largest = std::max(largest, s.value);
+                if (s.value > wall_.radius) add(s, touch);
+            }
+            low = high;
+            low_slope = high_slope;
+        }
+        touch.gap = largest < wall_.radius ? wall_.radius - largest : 0.0;
+    }
+
+  private:
+    static constexpr double reach = 0.1;  ///< how far to look for the place of a step ago [rad]
+
+    void add(const PlanarOutline::Sample& s, WallTouch& touch) const {
+        const Vec3 x = s.support.point(s.e);
+        const double z = (center_ + x).dot(axis_);
+        const bool beyond_rim = std::isfinite(wall_.length) && (z < 0.0 || z > wall_.length);
+        if (!beyond_rim) add_point(touch, x, -s.e, s.value - wall_.radius, s.support);
+    }
+
+    /// Where a contact was a step ago, or the middle.
+    Vec2 start_between(const Vec2& low, const Vec2& high, const PatchHistory& history) const {
+        for (std::size_t k = 0; k < history.used; ++k) {
+            const Vec2 u = outline_.towards(-Vec3(history.slots[k].normal));
+            if (PlanarOutline::is_between(low, u, high)) return u;
+        }
+        return (low + high).normalized();
+    }
+
+    const SrShape& a_;
+    const CylinderWall& wall_;
+    Vec3 axis_, center_, off_axis_;
+    double distance_;
+    PlanarOutline outline_;
 };
 
 }  // namespace
 
 WallTouch touch_inside(const SrShape& a, const SrSupport& support, const CylinderWall& wall,
-                       const Vec3& axis, const Vec3& center) {
+                       const WallPose& pose, const PatchHistory& history) {
     WallTouch touch;
-    const Vec3 off_axis = center - center.dot(axis) * axis;
-    const double r = off_axis.norm();
-    touch.gap = wall.radius - r - a.bounding_radius;
-    if (touch.gap > 0.0) return touch;
-
-    const PlanarOutline outline(support, axis, off_axis, 1.0);
-    // Beyond this angle from the centre's direction every point of the bounding sphere stays at
-    // least `clear` away from the wall: nothing that is not looked at there can lessen a gap below.
-    const double clear = 0.1 * a.bounding_radius;
-    const double cosine = r > 0.0 ? (wall.radius - clear - a.bounding_radius) / r : -1.0;
-    const double half_window = std::acos(std::clamp(cosine, -1.0, 1.0));
-    const double middle = r > 0.0 ? outline.angle_of(off_axis) : 0.0;
-    const OutlineDivision division(a.support, outline.tilt(), wall.radius);
-
-    double largest = wall.radius - clear;
-    double low = middle - half_window;
-    double low_slope = outline.at(low).slope;
-    while (low < middle + half_window) {
-        const double high = std::min(division.after(low), middle + half_window);
-        const double high_slope = outline.at(high).slope;
-        if (low_slope >= 0.0 && high_slope < 0.0) {
-            const PlanarOutline::Sample s = outline.maximum(low, high);
-            largest = std::max(largest, s.value);
-            const double overlap = s.value - wall.radius;
-            const Vec3 x = s.support.point(s.e);
-            const double z = (center + x).dot(axis);
-            const bool beyond_rim = std::isfinite(wall.length) && (z < 0.0 || z > wall.length);
-            if (overlap > 0.0 && !beyond_rim) add_point(touch, x, -s.e, overlap, s.support);
-        }
-        low = high;
-        low_slope = high_slope;
-    }
-    touch.gap = largest < wall.radius ? wall.radius - largest : 0.0;
+    const InsideSearch inside(a, support, wall, pose.axis, pose.center);
+    touch.gap = inside.gap_of_bounding_sphere();
+    if (touch.gap > 0.0 || inside.follow(history, touch)) return touch;
+    inside.search(history, touch);
     return touch;
 }
 
 namespace {
 
 /// Nearest approach of the body to the axis: like a ball, with one minimum.
-PlanarOutline::Sample nearest_to_axis(const PlanarOutline& outline, double psi) {
+PlanarOutline::Sample nearest_to_axis(const PlanarOutline& outline, Vec2 u) {
     constexpr double stride = 0.2;
-    PlanarOutline::Sample s = outline.at(psi);
+    PlanarOutline::Sample s = outline.at(u);
     const double direction = s.slope >= 0.0 ? stride : -stride;
-    const int round = static_cast<int>(2.0 * pi / stride) + 1;
+    const int round = static_cast<int>(2.0 * pi / stride) + 2;
     for (int k = 0; k < round; ++k) {
-        const PlanarOutline::Sample next = outline.at(psi + direction);
+        const Vec2 further = planar::turned(u, direction);
+        const PlanarOutline::Sample next = outline.at(further);
         const bool between = s.slope >= 0.0 ? next.slope < 0.0 : next.slope >= 0.0;
-        if (between)
-            return outline.maximum(std::min(psi, psi + direction), std::max(psi, psi + direction));
-        psi += direction;
+        if (between && direction > 0.0) return outline.maximum(u, further);
+        if (between) return outline.maximum(further, u);
+        u = further;
         s = next;
     }
     return s;
@@ -147,16 +224,17 @@ PlanarOutline::Sample nearest_to_axis(const PlanarOutline& outline, double psi) 
 }  // namespace
 
 WallTouch touch_rod(const SrShape& a, const SrSupport& support, const CylinderWall& wall,
-                    const Vec3& axis, const Vec3& center) {
+                    const WallPose& pose) {
     WallTouch touch;
+    const Vec3& axis = pose.axis;
+    const Vec3& center = pose.center;
     const double z = center.dot(axis);
     const Vec3 off_axis = center - z * axis;
     touch.gap = off_axis.norm() - wall.radius - a.bounding_radius;
     if (touch.gap > 0.0) return touch;
 
     const PlanarOutline outline(support, axis, off_axis, -1.0);
-    const PlanarOutline::Sample side =
-        nearest_to_axis(outline, off_axis.norm() > 0.0 ? outline.angle_of(off_axis) : 0.0);
+    const PlanarOutline::Sample side = nearest_to_axis(outline, outline.towards(off_axis));
     const double side_overlap = wall.radius - side.value;
     const Vec3 side_point = side.support.point(-side.e);
     if (std::isinf(wall.length)) {

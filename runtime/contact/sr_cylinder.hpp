@@ -18,16 +18,22 @@ struct WallTouch {
     double gap = 0.0;       ///< proven distance when apart [m]; 0: unknown
 };
 
+/// How a body stands to a cylinder wall.
+struct WallPose {
+    Vec3 axis;    ///< of the wall, unit
+    Vec3 center;  ///< of the body relative to the wall's origin [m]
+};
+
 /// Inside: every place where the body's outline across the axis reaches farthest, beyond the
 /// radius. Bodies flatter than the cylinder have several; of more than PatchHistory holds the
-/// deepest. `axis`: of the wall, unit; `center`: of the body relative to the wall's origin.
+/// deepest. The search begins where the history says that they touched.
 WallTouch touch_inside(const SrShape& a, const SrSupport& support, const CylinderWall& wall,
-                       const Vec3& axis, const Vec3& center);
+                       const WallPose& pose, const PatchHistory& history);
 
 /// A solid rod from outside, convex against convex: at its side, at an end face or at the edge
 /// between.
 WallTouch touch_rod(const SrShape& a, const SrSupport& support, const CylinderWall& wall,
-                    const Vec3& axis, const Vec3& center);
+                    const WallPose& pose);
 
 /// Numbers the points so that each keeps its place in the history as it moves along the wall: every
 /// point takes the number of the slot whose normal is nearest to its own, new ones free numbers.

@@ -29,9 +29,9 @@ PairContact collide(const SrShape& a, const PlaneWall& wall, const PairState& pa
 PairContact collide(const SrShape& a, const CylinderWall& wall, const PairState& pair,
                     const ContactLaw& law, double dt, const ContactMemory<PatchHistory>& memory) {
     const SrSupport support{a.support, body_axis(pair.i.orientation)};
-    const Vec3 axis = body_axis(pair.j.orientation);
-    WallTouch touch = wall.inside ? touch_inside(a, support, wall, axis, -pair.displacement)
-                                  : touch_rod(a, support, wall, axis, -pair.displacement);
+    const WallPose pose{body_axis(pair.j.orientation), -pair.displacement};
+    WallTouch touch = wall.inside ? touch_inside(a, support, wall, pose, memory.history)
+                                  : touch_rod(a, support, wall, pose);
     if (touch.count == 0) return no_contact(memory, touch.gap);
     give_features(touch, memory.history);
     const double radius = contact_radius(law, touch.deepest, a.equivalent_diameter);

@@ -7,12 +7,6 @@
 
 namespace dem {
 
-/// World direction of body z: the axis of a surface of revolution, of a cylinder, a plane's normal.
-inline Vec3 body_axis(const Quat& q) {
-    return {2.0 * (q.x() * q.z() + q.w() * q.y()), 2.0 * (q.y() * q.z() - q.w() * q.x()),
-            1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y())};
-}
-
 /// A point relative to a wall's origin, in cylinder coordinates about the wall's z axis.
 struct AxialPoint {
     double z;     ///< along the axis [m]

@@ -11,10 +11,7 @@ inline double inverse_inertia_along(const BodyState& body, const Vec3& a) {
     const Quat& q = body.orientation;
     if (inverse.x() == inverse.y()) {
         if (inverse.x() == inverse.z()) return inverse.x() * a.squaredNorm();
-        const Vec3 axis(2.0 * (q.x() * q.z() + q.w() * q.y()),
-                        2.0 * (q.y() * q.z() - q.w() * q.x()),
-                        1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y()));
-        const double along = a.dot(axis);
+        const double along = a.dot(body_axis(q));
         return inverse.x() * a.squaredNorm() + (inverse.z() - inverse.x()) * (along * along);
     }
     const Vec3 a_body = q.conjugate() * a;

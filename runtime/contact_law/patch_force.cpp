@@ -3,6 +3,7 @@
 #include "runtime/contact_law/contact_point.hpp"
 #include "runtime/contact_law/hertz_mindlin.hpp"
 #include "runtime/contact_law/patch_slots.hpp"
+#include "runtime/contact_law/point_force.hpp"
 
 /// All contact points of a pair as one Hertzian contact (docs/contact.md, "Many points"):
 ///   d = (sum d_k^p)^(1/p), w_k = (d_k / d)^(p-1), p = 16
@@ -226,6 +227,24 @@ PairContact patch_force(const PatchCall& call) {
     return contact;
 }
 
+/// One point that is not just losing others: the plain law, half as dear as a patch of one.
+bool is_single(std::span<const ContactPoint> points, const PatchHistory& history) {
+    return points.size() == 1 &&
+           (history.used == 0 ||
+            (history.used == 1 && points[0].feature == history.slots[0].feature));
+}
+PairContact single_force(const ContactPoint& point, double local_radius, const PairState& pair,
+                         const ContactLaw& law, double dt, PatchHistory& history) {
+    PatchHistory::Slot& slot = history.slots[0];
+    PointHistory single{slot.normal, slot.spring, history.effective_radius, history.phase};
+    const PairContact contact = contact_force(point, local_radius, pair, law, dt, single);
+    slot = {point.feature, single.normal, single.spring};
+    history.effective_radius = single.effective_radius;
+    history.phase = single.phase;
+    history.used = 1;
+    return contact;
+}
+
 }  // namespace
 
 PairContact contact_force(std::span<const ContactPoint> points, double local_radius,
@@ -235,6 +254,8 @@ PairContact contact_force(std::span<const ContactPoint> points, double local_rad
         if (history.effective_radius > 0.0) history = {};
         return {};
     }
+    if (is_single(points, history))
+        return single_force(points[0], local_radius, pair, law, dt, history);
     PatchCall call{points, pair, law, dt, history, 0.0, local_radius};
     call.radius = hertz::effective_radius(law, local_radius, history);
     if (law.multi_contact == ContactLaw::MultiContact::sum) return patch_force<SumPatch>(call);

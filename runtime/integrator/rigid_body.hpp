@@ -38,10 +38,14 @@ inline Quat rotation(const Vec3& turn) {
 /// World angular velocity [rad/s] of a body with orientation q, angular momentum L [kg m^2/s] and
 /// inverse principal moments [1/(kg m^2)].
 inline Vec3 angular_velocity(const Quat& q, const Vec3& L, const Vec3& inverse_moments) {
-    if (inverse_moments.x() == inverse_moments.y() && inverse_moments.x() == inverse_moments.z())
-        return inverse_moments.x() * L;
+    const Vec3& m = inverse_moments;
+    if (m.x() == m.y() && m.x() == m.z()) return m.x() * L;
+    if (m.x() == m.y()) {
+        const Vec3 axis = body_axis(q);
+        return m.x() * L + ((m.z() - m.x()) * L.dot(axis)) * axis;
+    }
     const Vec3 L_body = q.conjugate() * L;
-    return q * Vec3(inverse_moments.cwiseProduct(L_body));
+    return q * Vec3(m.cwiseProduct(L_body));
 }
 
 /// Length correction of a quaternion that is a unit one but for rounding.
@@ -60,9 +64,7 @@ inline Quat rotated(const Quat& q, const Vec3& L, const Vec3& inverse_moments, d
     if (m.x() == m.y()) {
         const Quat precession = rotation(dt * m.x() * L);
         if (m.x() == m.z()) return renormalized(precession * q);
-        const Vec3 axis(2.0 * (q.x() * q.z() + q.w() * q.y()),
-                        2.0 * (q.y() * q.z() - q.w() * q.x()),
-                        1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y()));
+        const Vec3 axis = body_axis(q);
         const double own_spin = (m.z() - m.x()) * L.dot(axis);
         return renormalized(precession * q * rotation({0.0, 0.0, dt * own_spin}));
     }

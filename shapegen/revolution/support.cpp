@@ -83,6 +83,7 @@ SupportMap support_map(const Profile& profile) {
     map.first_piece = make_index(ends);
     map.pieces = pieces.take_pieces();
     map.piece_end = std::move(ends);
+    map.longest_radius = longest_radius(map);
     return map;
 }
 

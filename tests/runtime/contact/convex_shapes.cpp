@@ -2,6 +2,7 @@
 #include "tests/runtime/contact/convex_shapes.hpp"
 
 #include "common/shapes/mass_properties.hpp"
+#include "common/shapes/support_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,9 @@ SupportMap support_map(std::vector<SupportPiece> pieces, std::vector<double> pie
         first[k] =
             static_cast<std::uint32_t>(std::min(it, piece_end.end() - 1) - piece_end.begin());
     }
-    return {std::move(pieces), std::move(piece_end), std::move(first)};
+    SupportMap map{std::move(pieces), std::move(piece_end), std::move(first)};
+    map.longest_radius = longest_radius(map);
+    return map;
 }
 
 InverseInertia SolidBody::inverse(double density) const {

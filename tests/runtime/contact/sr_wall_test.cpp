@@ -58,13 +58,13 @@ TEST(SrInsideCylinder, FindsEveryPlaceThatTouches) {
             double high = wall.radius;
             for (int m = 0; m < 50; ++m) {
                 const double r = 0.5 * (low + high);
-                const WallTouch t = touch_inside(body.shape, support, wall, z, r * radial);
+                const WallTouch t = touch_inside(body.shape, support, wall, {z, r * radial}, {});
                 double deepest = -1.0;
                 for (std::size_t n = 0; n < t.count; ++n)
                     deepest = std::max(deepest, t.points[n].overlap);
                 (deepest > 20e-6 ? high : low) = r;
             }
-            const WallTouch touch = touch_inside(body.shape, support, wall, z, low * radial);
+            const WallTouch touch = touch_inside(body.shape, support, wall, {z, low * radial}, {});
             std::vector<double> found;
             for (std::size_t n = 0; n < touch.count; ++n) found.push_back(touch.points[n].overlap);
             std::vector<double> expected = maxima_by_sampling(support, low * radial, wall.radius);
@@ -87,7 +87,7 @@ TEST(SrInsideCylinder, TheProvenGapIsSafe) {
             const SrSupport support{body.shape.support, random.direction()};
             const Vec3 radial = random.direction().cross(z).normalized();
             const Vec3 center = random.uniform(0.0, 22e-3) * radial;
-            const WallTouch t = touch_inside(body.shape, support, wall, z, center);
+            const WallTouch t = touch_inside(body.shape, support, wall, {z, center}, {});
             if (t.count > 0) continue;
             // A body that moves by less than the gap, any way, touches nothing.
             ASSERT_LT(t.gap, wall.radius);
@@ -134,7 +134,7 @@ TEST(SrOutsideRod, OverlapIsTheLeastOfAllDirections) {
             const double height =
                 random.uniform() < 0.5 ? random.uniform(18e-3, 26e-3) : random.uniform(-6e-3, 2e-3);
             const Vec3 center(r * std::cos(phi), r * std::sin(phi), height);
-            const WallTouch t = touch_rod(body.shape, support, rod, z, center);
+            const WallTouch t = touch_rod(body.shape, support, rod, {z, center});
             const double expected = rod_overlap_by_descent(support, rod, center, random);
             if (expected > 1e-3) continue;  // deeper than any contact
             if (t.count == 0) {
