@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -18,6 +20,18 @@ using Quat = Eigen::Quaternion<double, Eigen::DontAlign>;
 inline Vec3 body_axis(const Quat& q) {
     return {2.0 * (q.x() * q.z() + q.w() * q.y()), 2.0 * (q.y() * q.z() - q.w() * q.x()),
             1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y())};
+}
+
+/// The smallest rotation that takes body z to a direction of any length but zero. (Eigen's own
+/// costs every file that calls it ten seconds to compile.)
+inline Quat orientation_towards(const Vec3& direction) {
+    const Vec3 d = direction.normalized();
+    const double across2 = d.x() * d.x() + d.y() * d.y();
+    if (across2 == 0.0 && d.z() < 0.0) return {0.0, 1.0, 0.0, 0.0};
+    // 1 + d.z, without losing digits where d points down.
+    const double w = d.z() < 0.0 ? across2 / (1.0 - d.z()) : 1.0 + d.z();
+    const double scale = 1.0 / std::sqrt(w * w + across2);
+    return {scale * w, -scale * d.y(), scale * d.x(), 0.0};
 }
 
 /// A Vec3 in memory that is copied, stored and sent byte by byte (Eigen's own is not trivially

@@ -17,7 +17,7 @@ Wall face(const Wall& base, const std::string& suffix, const Vec3& origin, const
     Wall wall = base;
     if (!suffix.empty()) wall.name += "." + suffix;
     wall.position = origin;
-    wall.orientation = Quat(Quat::FromTwoVectors(Vec3::UnitZ(), z_axis));
+    wall.orientation = orientation_towards(z_axis);
     wall.shape = shape;
     return wall;
 }

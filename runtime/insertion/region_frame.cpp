@@ -14,8 +14,7 @@ RegionFrame::RegionFrame(const Region& region) {
     }
     const auto& cylinder = std::get<CylinderRegion>(region);
     const Vec3 along = cylinder.to - cylinder.from;
-    const Quat turn(Quat::FromTwoVectors(Vec3::UnitZ(), along));
-    axes_ = turn.toRotationMatrix();
+    axes_ = orientation_towards(along).toRotationMatrix();
     radius_ = cylinder.radius;
     size_ = {2.0 * radius_, 2.0 * radius_, along.norm()};
     corner_ = cylinder.from - radius_ * (axes_.col(0) + axes_.col(1));

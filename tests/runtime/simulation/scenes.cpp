@@ -111,7 +111,7 @@ Wall plane(const Vec3& point, const Vec3& normal) {
     wall.name = "plane";
     wall.shape = PlaneWall{};
     wall.position = point;
-    wall.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), normal);
+    wall.orientation = orientation_towards(normal);
     return wall;
 }
 
