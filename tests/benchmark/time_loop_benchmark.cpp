@@ -22,7 +22,9 @@
 //
 // A bed first settles with a large time step, then the loop is timed with the one of the scene. The
 // hash proves that a faster version still computes the same. The cost of one core is in cpu_us; the
-// wall time says as much only on an idle machine.
+// wall time says as much only on an idle machine. Virtual machines are given more or fewer of the
+// cycles of their cores from second to second: `cycles` is cpu_us times the clock measured between
+// the blocks, and can be compared from run to run.
 
 namespace dem {
 namespace {
@@ -105,13 +107,30 @@ Scene restarted(const Simulation& simulation) {
 // disturbed by other work on the machine.
 struct Cost {
     double wall, cpu, best_cpu;
+    double cycles;  ///< per particle and step, median
+    double clock;   ///< [GHz], median
 };
+
+// Cycles that this process really gets, per nanosecond: a chain of multiplications and additions
+// takes four cycles a link on every processor of the last fifteen years.
+double effective_clock() {
+    constexpr int links = 300'000;
+    static volatile std::uint64_t odd = 6364136223846793005U;
+    const std::uint64_t factor = odd;
+    std::uint64_t x = factor;
+    const auto start = std::chrono::steady_clock::now();
+    for (int k = 0; k < links; ++k) x = x * factor + 1U;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    odd = x | 1U;
+    return 4e-9 * links / elapsed.count();
+}
 
 Cost cost_of(Simulation& simulation, int steps) {
     constexpr int blocks = 20;
     const int block_steps = std::max(1, steps / blocks);
     const double particle_steps = static_cast<double>(simulation.particles().size()) * block_steps;
-    std::vector<double> wall, cpu;
+    std::vector<double> wall, cpu, cycles, clock;
+    double clock_before = effective_clock();
     for (int block = 0; block < blocks; ++block) {
         const std::clock_t cpu_start = std::clock();
         const auto start = std::chrono::steady_clock::now();
@@ -120,10 +139,14 @@ Cost cost_of(Simulation& simulation, int steps) {
         wall.push_back(1e6 * elapsed.count() / particle_steps);
         cpu.push_back(1e6 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC /
                       particle_steps);
+        const double clock_after = effective_clock();
+        clock.push_back(0.5 * (clock_before + clock_after));
+        cycles.push_back(1e3 * cpu.back() * clock.back());
+        clock_before = clock_after;
     }
-    std::sort(wall.begin(), wall.end());
-    std::sort(cpu.begin(), cpu.end());
-    return {wall[blocks / 2], cpu[blocks / 2], cpu[0]};
+    for (std::vector<double>* values : {&wall, &cpu, &cycles, &clock})
+        std::sort(values->begin(), values->end());
+    return {wall[blocks / 2], cpu[blocks / 2], cpu[0], cycles[blocks / 2], clock[blocks / 2]};
 }
 
 void measure(const Settings& s) {
@@ -145,13 +168,14 @@ void measure(const Settings& s) {
     const auto contacts =
         static_cast<double>(std::count(touching.begin(), touching.end(), std::uint8_t{1}));
     std::printf(
-        "scene,particles,threads,steps,us_per_particle_step,cpu_us,best_cpu_us,candidates,"
-        "contacts,rebuilds,bytes_per_particle,state_hash\n");
-    std::printf("%s,%u,%d,%d,%.4f,%.4f,%.4f,%.2f,%.2f,%" PRIu64 ",%.0f,%016" PRIx64 "\n",
+        "scene,particles,threads,steps,us_per_particle_step,cpu_us,best_cpu_us,cycles,clock_ghz,"
+        "candidates,contacts,rebuilds,bytes_per_particle,state_hash\n");
+    std::printf("%s,%u,%d,%d,%.4f,%.4f,%.4f,%.0f,%.2f,%.2f,%.2f,%" PRIu64 ",%.0f,%016" PRIx64 "\n",
                 s.scene.c_str(), simulation.particles().size(), s.threads, steps, cost.wall,
-                cost.cpu, cost.best_cpu, static_cast<double>(touching.size()) / count,
-                contacts / count, simulation.lists().rebuilds - rebuilds,
-                static_cast<double>(heap) / count, simulation.state_hash());
+                cost.cpu, cost.best_cpu, cost.cycles, cost.clock,
+                static_cast<double>(touching.size()) / count, contacts / count,
+                simulation.lists().rebuilds - rebuilds, static_cast<double>(heap) / count,
+                simulation.state_hash());
 }
 
 Settings settings(int argc, char** argv) {

@@ -13,19 +13,20 @@ def arguments():
     parser = argparse.ArgumentParser()
     parser.add_argument("--seeds", type=int, default=3)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--reuse", action="store_true", help="take runs that are finished as they are")
     return parser.parse_args()
 
 
-def pack(name, template, seeds, jobs):
+def pack(name, template, options):
     """Runs data/cases/NAME.ini once per seed, one core each."""
     text = (ROOT / f"data/cases/{name}.ini").read_text()
 
     def one(seed):
         return Run(f"{name}_{seed}", text, "--threads", "1", "--set", f"run.seed={seed}",
-                   "--set", f"particles.{template.stem}.template={template}")
+                   "--set", f"particles.{template.stem}.template={template}", reuse=options.reuse)
 
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        return list(pool.map(one, range(1, seeds + 1)))
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        return list(pool.map(one, range(1, options.seeds + 1)))
 
 
 def report(page: Page, runs, experiment, tolerance, paper, total):

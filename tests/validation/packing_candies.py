@@ -13,7 +13,7 @@ def main():
 The vessel, the particles, the material and the time step are those of [SR] Table 3; the case is
 [data/cases/packing_candies.ini](../../data/cases/packing_candies.ini). How a vessel is filled moves the height more than any shape model:
 particles are dropped a few at a time, at rest, with random orientation, as the paper does.""")
-    runs = pack("packing_candies", cook("candy"), options.seeds, options.jobs)
+    runs = pack("packing_candies", cook("candy"), options)
     report(page, runs, experiment=130.0, tolerance=1.0, paper="129.0 +- 1.0 mm", total=250)
     return page.finish()
 

@@ -13,7 +13,7 @@ def main():
 The vessel, the particles, the material and the time step are those of [SR] Table 3; the case is
 [data/cases/packing_tablets.ini](../../data/cases/packing_tablets.ini). How a vessel is filled moves the height more than any shape model:
 particles are dropped a few at a time, at rest, with random orientation, as the paper does.""")
-    runs = pack("packing_tablets", cook("tablet"), options.seeds, options.jobs)
+    runs = pack("packing_tablets", cook("tablet"), options)
     report(page, runs, experiment=66.87, tolerance=2.0, paper="68.5 +- 2.0 mm", total=150)
     return page.finish()
 

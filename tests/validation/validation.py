@@ -67,12 +67,13 @@ def write_bodies(name, rows):
 class Run:
     """One finished run of demrun: final states, history, frames, summary."""
 
-    def __init__(self, name, case, *options):
+    def __init__(self, name, case, *options, reuse=False):
         WORK.mkdir(parents=True, exist_ok=True)
         path = WORK / f"{name}.ini"
         path.write_text(case)
         self.directory = WORK / name
-        subprocess.run([BIN / "demrun", path, "--out", self.directory, "--quiet", *options], check=True)
+        if not (reuse and (self.directory / "summary.json").exists()):
+            subprocess.run([BIN / "demrun", path, "--out", self.directory, "--quiet", *options], check=True)
         self.final = table(self.directory / "final.csv")
         self.history = table(self.directory / "history.csv")
         self.summary = json.loads((self.directory / "summary.json").read_text())
