@@ -236,9 +236,10 @@ bool is_single(std::span<const ContactPoint> points, const PatchHistory& history
 PairContact single_force(const ContactPoint& point, double local_radius, const PairState& pair,
                          const ContactLaw& law, double dt, PatchHistory& history) {
     PatchHistory::Slot& slot = history.slots[0];
-    PointHistory single{slot.normal, slot.spring, history.effective_radius, history.phase};
+    PointHistory single{slot.normal, slot.spring, history.effective_radius, history.phase,
+                        slot.stiffness};
     const PairContact contact = contact_force(point, local_radius, pair, law, dt, single);
-    slot = {point.feature, single.normal, single.spring};
+    slot = {point.feature, single.normal, single.spring, single.stiffness};
     history.effective_radius = single.effective_radius;
     history.phase = single.phase;
     history.used = 1;
