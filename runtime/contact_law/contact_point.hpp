@@ -26,7 +26,7 @@ struct ContactPoint {
 /// to the lower feature. The tangential forces of the slots stand for all points: they are scaled
 /// so that stiffness and Coulomb limit are those of every touching point.
 struct PatchHistory {
-    static constexpr std::size_t slot_count = 16;
+    static constexpr std::size_t slot_count = 8;
     struct Slot {
         std::uint64_t feature = 0;
         StoredVec3 normal;

@@ -96,7 +96,7 @@ struct Worker {
     NeighborLists& lists;
     const Partner partner;
     double dt;
-    std::vector<typename List::NewContact>& begun;
+    typename List::Changes& changes;
     ContactScratch& scratch;
     LargestOverlap largest{};
 
@@ -135,6 +135,7 @@ struct Worker {
         const std::uint32_t r = list.first_result + k;
         lists.touching[r] = contact.touches() ? 1 : 0;
         if (!contact.touches()) {
+            if (!is_new) changes.ended.push_back(k);
             list.quiet_until[k] =
                 certain_travel(travel, gap(a, b, k, travel), partner.smaller_radius(ids));
             return;
@@ -143,7 +144,7 @@ struct Worker {
             contact.force,          contact.torque_i,          contact.torque_j,
             contact.elastic_energy, contact.dissipated_energy, partner.work(pair, contact, dt)};
         list.quiet_until[k] = List::never_quiet;
-        if (is_new) begun.push_back({k, fresh});
+        if (is_new) changes.begun.push_back({k, fresh});
         const double relative = contact.overlap / partner.smaller_radius(ids);
         if (relative > largest.relative) largest = {relative, ids, Partner::is_wall};
     }
@@ -154,21 +155,23 @@ void compute_list(List& list, NeighborLists& lists, const Partner& partner, doub
                   NarrowPhaseScratch& scratch) {
     const std::uint32_t size = list.size();
     if (size == 0) return;
-    list.begun.resize(scratch.threads.size());
+    list.changes.resize(scratch.threads.size());
 #pragma omp parallel if (size >= parallel_threshold <List>)
     {
         const auto thread = static_cast<std::size_t>(omp_get_thread_num());
         Worker<List, Partner> worker{
-            list, lists, partner, dt, list.begun[thread], scratch.threads[thread].points};
+            list, lists, partner, dt, list.changes[thread], scratch.threads[thread].points};
 #pragma omp for schedule(static)
         for (std::uint32_t k = 0; k < size; ++k) worker.compute(k);
         LargestOverlap& largest = scratch.threads[thread].largest;
         if (worker.largest.relative > largest.relative) largest = worker.largest;
     }
     // Threads took rising parts of the list, so this is the order of the list for any number.
-    for (auto& begun : list.begun) {
-        for (const auto& contact : begun) list.add_history(contact.pair, contact.history);
-        begun.clear();
+    for (auto& changes : list.changes) {
+        for (const std::uint32_t pair : changes.ended) list.drop_history(pair);
+        for (const auto& contact : changes.begun) list.add_history(contact.pair, contact.history);
+        changes.begun.clear();
+        changes.ended.clear();
     }
 }
 

@@ -34,13 +34,18 @@ struct PairList {
     std::vector<double> quiet_until;
     std::vector<std::uint32_t> history_of;  ///< index into `histories`, or none
     std::vector<History> histories;
+    std::vector<std::uint32_t> vacant;  ///< places in `histories` of contacts that ended
     std::vector<Cache> caches;
-    /// Contacts begun in this step, per thread, waiting for a place in `histories`.
+    /// What one thread saw begin and end in this step: places change hands after all threads.
     struct NewContact {
         std::uint32_t pair;
         History history;
     };
-    std::vector<std::vector<NewContact>> begun;
+    struct Changes {
+        std::vector<NewContact> begun;
+        std::vector<std::uint32_t> ended;  ///< pairs
+    };
+    std::vector<Changes> changes;    ///< per thread
     std::uint32_t first_result = 0;  ///< where this list's part of the results begins
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(ids.size()); }
@@ -50,13 +55,27 @@ struct PairList {
         quiet_until.assign(ids.size(), never_quiet);
         history_of.assign(ids.size(), none);
         histories.clear();
+        vacant.clear();
         caches.assign(ids.size(), Cache{});
         first_result = first;
     }
 
     void add_history(std::uint32_t pair, const History& history) {
+        if (!vacant.empty()) {
+            history_of[pair] = vacant.back();
+            vacant.pop_back();
+            histories[history_of[pair]] = history;
+            return;
+        }
+        // The largest array of a run: doubling would leave half of it empty.
+        if (histories.size() == histories.capacity())
+            histories.reserve(histories.size() + histories.size() / 8 + 16);
         history_of[pair] = static_cast<std::uint32_t>(histories.size());
         histories.push_back(history);
+    }
+    void drop_history(std::uint32_t pair) {
+        vacant.push_back(history_of[pair]);
+        history_of[pair] = none;
     }
 };
 
