@@ -27,6 +27,7 @@ model = hertz
 restitution = {restitution}
 friction = 0
 contact = {contact}
+multi_contact = {multi_contact}
 [particles.spheres]
 template = {template}
 material = m
@@ -50,13 +51,14 @@ material = rigid
 
 
 def sphere(radius, kind):
-    """A template of a sphere in metres: as `sphere`, or as `sr` (continuous or nodes)."""
-    options = {"sphere": ("--sphere",), "sr": (), "sr nodes": ("--nodes", "20000")}[kind]
+    """A template of a sphere in metres: as `sphere`, or as `sr` (continuous, all nodes or the deepest)."""
+    options = {"sphere": ("--sphere",), "sr": (), "sr nodes": ("--nodes", "20000"),
+               "sr nodes deepest": ("--nodes", "20000")}[kind]
     return cook(f"units = m\nshape = sphere\nradius = {radius!r}\n", *options)
 
 
 def contact_of(kind):
-    return {"sphere": "auto", "sr": "continuous", "sr nodes": "nodes"}[kind]
+    return {"sphere": "auto", "sr": "continuous"}.get(kind, "nodes")
 
 
 def impact(kind, test, material, radius, speed, restitution=1.0, steps=500):
@@ -75,7 +77,8 @@ def impact(kind, test, material, radius, speed, restitution=1.0, steps=500):
             else [{"z": radius + gap, "vz": -speed}])
     run = Run(name, CASE.format(
         end=2 * hertz, step=step, density=density, modulus=modulus, ratio=ratio, frame=step if test < 3 else hertz,
-        restitution=restitution, contact=contact_of(kind), template=sphere(radius, kind),
+        restitution=restitution, contact=contact_of(kind),
+        multi_contact="deepest" if kind.endswith("deepest") else "norm", template=sphere(radius, kind),
         bodies=write_bodies(name, rows), wall="" if pair else WALL))
     times, frames = run.frames()
     position, velocity = frames["position"], frames["velocity"]
