@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapegen/clump/candidates.hpp"
+
+#include "shapegen/clump/surface_samples.hpp"
+
+#include <algorithm>
+
+namespace dem {
+namespace {
+
+/// No ball inside the solid is larger than the narrow side of the box around it.
+double largest_radius(const SurfaceQuery& surface) {
+    const Aabb box = bounding_box(surface.mesh());
+    return 0.5 * (box.upper - box.lower).minCoeff();
+}
+
+/// Calls make(i) for all i < count in any number of threads; what it gives is kept in order.
+template <class Make>
+std::vector<Ball> collect(std::size_t count, double min_radius, const Make& make) {
+    std::vector<Ball> balls(count);
+#pragma omp parallel for schedule(dynamic, 64)
+    for (std::size_t i = 0; i < count; ++i) balls[i] = make(i);
+    std::erase_if(balls, [&](const Ball& b) { return !(b.radius > std::max(min_radius, 0.0)); });
+    return balls;
+}
+
+}  // namespace
+
+std::optional<Ball> maximal_ball(const SurfaceQuery& surface, const Vec3& q, const Vec3& inward,
+                                 double largest) {
+    constexpr double touching = 1e-7;  // relative: what remains to gain is below any cell
+    constexpr int most_steps = 100;    // about 5 are usual
+    double radius = largest;
+    for (int step = 0; step < most_steps; ++step) {
+        const Vec3 center = q + radius * inward;
+        const SurfacePoint near = surface.nearest(center);
+        if (near.distance >= radius * (1.0 - touching)) return Ball{center, near.distance};
+        const Vec3 way = near.point - q;
+        const double along = way.dot(inward);
+        if (!(along > 0.0)) return std::nullopt;
+        const double next = 0.5 * way.squaredNorm() / along;
+        if (!(next < radius)) return std::nullopt;
+        radius = next;
+    }
+    return std::nullopt;
+}
+
+std::vector<Ball> skeletal_balls(const SurfaceQuery& surface, const VoxelImage& image,
+                                 Skeleton kind, double min_radius) {
+    const VoxelImage skeleton = thin(image, kind);
+    const std::vector<Voxel> voxels = skeleton.voxels();
+    const double largest = largest_radius(surface);
+    return collect(voxels.size(), min_radius, [&](std::size_t i) {
+        const Vec3 center = image.grid().center(voxels[i]);
+        const SurfacePoint near = surface.nearest(center);
+        if (near.distance == 0.0) return Ball{};
+        const Vec3 inward = (center - near.point) / near.distance;
+        return maximal_ball(surface, near.point, inward, largest)
+            .value_or(Ball{center, near.distance});
+    });
+}
+
+std::vector<Ball> surface_seeded_balls(const SurfaceQuery& surface, std::size_t count,
+                                       double min_radius) {
+    const std::vector<SurfaceSample> samples = surface_samples(surface.mesh(), count);
+    const double largest = largest_radius(surface);
+    return collect(samples.size(), min_radius, [&](std::size_t i) {
+        return maximal_ball(surface, samples[i].point, -samples[i].normal, largest)
+            .value_or(Ball{});
+    });
+}
+
+}  // namespace dem

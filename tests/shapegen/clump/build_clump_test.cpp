@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapegen/clump/build_clump.hpp"
+
+#include "common/error.hpp"
+#include "tests/common/shapes/sample_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+namespace dem {
+namespace {
+
+TriangleMesh ellipsoid() {
+    const Mat3 axes = Vec3(1.5, 1.0, 0.8).asDiagonal();
+    return sample::moved(sample::sphere(1.0, 4), axes, Vec3(3.0, -2.0, 0.5));
+}
+
+ClumpOptions coarse() {
+    ClumpOptions options;
+    options.per_diameter = 30.0;
+    options.cells_per_diameter = 60.0;
+    return options;
+}
+
+TEST(BuildClump, InscribedSpheresReachTheCoverage) {
+    ClumpOptions options = coarse();
+    options.goal.coverage = 0.93;
+    options.is_inscribed = true;
+    const BuiltClump clump = build_clump(ellipsoid(), options);
+    // The judge's cells are others than those of the cover.
+    EXPECT_GE(clump.quality.coverage, 0.929);
+    EXPECT_EQ(clump.quality.outside, 0.0);
+    EXPECT_LE(clump.quality.max_deviation_out, 1e-9);
+    EXPECT_GT(clump.ceiling, 0.97);
+    EXPECT_LT(clump.balls.size(), 30U);
+}
+
+TEST(BuildClump, FitHalvesTheDeviation) {
+    ClumpOptions options = coarse();
+    options.goal.count = 20;
+    options.protrusion = 0.03;
+    const BuiltClump fitted = build_clump(ellipsoid(), options);
+    options.is_inscribed = true;
+    const BuiltClump inscribed = build_clump(ellipsoid(), options);
+    ASSERT_EQ(fitted.balls.size(), 20U);
+    EXPECT_LT(fitted.quality.rms_deviation, 0.6 * inscribed.quality.rms_deviation);
+    EXPECT_LE(fitted.quality.max_deviation_out, options.protrusion + 1e-9);
+    EXPECT_NEAR(fitted.quality.volume_ratio, 1.0, 0.005);
+    EXPECT_LT(fitted.quality.moment_errors.cwiseAbs().maxCoeff(), 0.01);
+}
+
+TEST(BuildClump, IsTheSameForAnyNumberOfThreads) {
+    ClumpOptions options = coarse();
+    options.goal.count = 12;
+    const int threads = omp_get_max_threads();
+    omp_set_num_threads(1);
+    const BuiltClump one = build_clump(ellipsoid(), options);
+    omp_set_num_threads(3);
+    const BuiltClump three = build_clump(ellipsoid(), options);
+    omp_set_num_threads(threads);
+    ASSERT_EQ(one.balls.size(), three.balls.size());
+    for (std::size_t i = 0; i < one.balls.size(); ++i) {
+        EXPECT_EQ(one.balls[i].center, three.balls[i].center);
+        EXPECT_EQ(one.balls[i].radius, three.balls[i].radius);
+    }
+}
+
+TEST(BuildClump, SaysTheCeilingOfWhatCannotBeReached) {
+    ClumpOptions options = coarse();
+    options.goal.coverage = 0.99;
+    options.min_radius = 0.2;
+    try {
+        build_clump(sample::box(Vec3::Zero(), Vec3(1.0, 2.0, 3.0)), options);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("expected at most 0."), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace dem
