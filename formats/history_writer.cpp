@@ -79,7 +79,7 @@ void HistoryWriter::write(const std::string& line) {
         return;
     }
     const int error = errno;
-    out_.close();  // tries once more, so first
+    out_.close();             // tries once more, so first
     std::error_code ignored;  // a row that is cut off stays where that cannot be helped
     std::filesystem::resize_file(path_, end_, ignored);
     errno = error;
