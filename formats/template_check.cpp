@@ -64,6 +64,9 @@ struct CheckKind {
         check.require(sr.is_convex == shape.is_convex, "the two marks of convexity differ");
         check_sr_shape(sr, shape.bounding_radius, shape.mass_properties.volume, check.where);
     }
+    void operator()(const Clump& clump) const {
+        check_clump(clump, shape.bounding_radius, shape.mass_properties.volume, check.where);
+    }
 };
 
 }  // namespace

@@ -21,4 +21,8 @@ void check_template(const ParticleTemplate& shape, const std::string& where);
 void check_sr_shape(const SrShape& shape, double bounding_radius, double volume,
                     const std::string& where);
 
+/// The part of a clump.
+void check_clump(const Clump& clump, double bounding_radius, double volume,
+                 const std::string& where);
+
 }  // namespace dem

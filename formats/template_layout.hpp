@@ -35,5 +35,11 @@ static_assert(agree<schema::Node, SurfaceNodes::Node> && offsetof(SurfaceNodes::
 static_assert(agree<schema::Ball, SurfaceNodes::Ball> && offsetof(SurfaceNodes::Ball, x) == 0 &&
               offsetof(SurfaceNodes::Ball, y) == 8 && offsetof(SurfaceNodes::Ball, z) == 16 &&
               offsetof(SurfaceNodes::Ball, radius) == 24);
+static_assert(agree<schema::Ball, Clump::Ball> && offsetof(Clump::Ball, x) == 0 &&
+              offsetof(Clump::Ball, y) == 8 && offsetof(Clump::Ball, z) == 16 &&
+              offsetof(Clump::Ball, radius) == 24);
+static_assert(agree<schema::ClumpSphere, ClumpSphere> && offsetof(ClumpSphere, x) == 0 &&
+              offsetof(ClumpSphere, y) == 8 && offsetof(ClumpSphere, z) == 16 &&
+              offsetof(ClumpSphere, radius) == 24 && offsetof(ClumpSphere, volume_share) == 32);
 
 }  // namespace dem::layout

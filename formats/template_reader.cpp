@@ -39,10 +39,14 @@ class Decoder {
             result.shape = Sphere{sphere->radius()};
         } else if (const schema::SrShape* sr = shape.data_as_SrShape()) {
             result.shape = decode(*sr);
+        } else if (const schema::ClumpShape* clump = shape.data_as_ClumpShape()) {
+            const auto spheres = array<ClumpSphere>(clump->spheres());
+            result.shape =
+                Clump{spheres, array<Clump::Ball>(clump->balls()), largest_radius(spheres.span())};
         } else {
             throw Error(where_,
-                        "is of a kind that this program does not know, expected sphere or "
-                        "sr; make the template again or update the program");
+                        "is of a kind that this program does not know, expected sphere, sr or "
+                        "clump; make the template again or update the program");
         }
         return result;
     }

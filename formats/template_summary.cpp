@@ -25,6 +25,7 @@ Counts counts(const ParticleTemplate& shape) {
     n.vertices = shape.display_mesh.vertices.size();
     n.triangles = shape.display_mesh.triangles.size();
     if (std::holds_alternative<Sphere>(shape.shape)) n.spheres = 1;
+    if (const auto* clump = std::get_if<Clump>(&shape.shape)) n.spheres = clump->spheres.size();
     if (const auto* sr = std::get_if<SrShape>(&shape.shape)) {
         n.nodes = sr->nodes.count;
         for (const SdfCell& cell : sr->sdf.cells) n.cells += std::uint64_t{1} << 2 * cell.level;
@@ -86,6 +87,7 @@ std::string text_of(const ParticleTemplate& shape) {
     text += format("  principal moments %.9g %.9g %.9g m^5, times the density\n", moments.x(),
                    moments.y(), moments.z());
     text += format("  bounding radius   %.6g mm\n", 1e3 * shape.bounding_radius);
+    if (n.spheres > 1) text += format("  spheres           %" PRIu64 "\n", n.spheres);
     if (n.nodes > 0) text += format("  surface nodes     %" PRIu64 "\n", n.nodes);
     if (n.cells > 0) text += format("  distance cells    %" PRIu64 "\n", n.cells);
     if (n.triangles > 0) text += format("  display triangles %" PRIu64 "\n", n.triangles);

@@ -89,6 +89,12 @@ struct EncodeKind {
                                                                  support, sdf, curvature, nodes)
                                                .Union()};
     }
+    EncodedKind operator()(const Clump& clump) const {
+        const auto spheres = structs<schema::ClumpSphere>(fbb, clump.spheres);
+        const auto balls = structs<schema::Ball>(fbb, clump.balls);
+        return {schema::ShapeData_ClumpShape,
+                schema::CreateClumpShape(fbb, spheres, balls).Union()};
+    }
 };
 
 Offset<schema::Shape> encode(FlatBufferBuilder& fbb, const ParticleTemplate& shape) {
@@ -130,6 +136,8 @@ std::uint64_t largest_size(const ParticleTemplate& shape) {
                 byte_size(sr->nodes.blocks) + byte_size(sr->nodes.super_blocks) +
                 byte_size(sr->nodes.stencil);
     }
+    if (const auto* clump = std::get_if<Clump>(&shape.shape))
+        size += byte_size(clump->spheres) + byte_size(clump->balls);
     return size;
 }
 

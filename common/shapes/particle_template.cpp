@@ -7,6 +7,7 @@ namespace {
 struct KindName {
     std::string operator()(const Sphere&) const { return "sphere"; }
     std::string operator()(const SrShape&) const { return "sr"; }
+    std::string operator()(const Clump&) const { return "clump"; }
 };
 }  // namespace
 

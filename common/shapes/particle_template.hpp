@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/shapes/clump.hpp"
 #include "common/shapes/mass_properties.hpp"
 #include "common/shapes/sphere.hpp"
 #include "common/shapes/sr_shape.hpp"
@@ -33,7 +34,7 @@ struct ParticleTemplate {
     bool is_convex = false;
     DisplayMesh display_mesh;
     Certificate certificate;
-    std::variant<Sphere, SrShape> shape;
+    std::variant<Sphere, SrShape, Clump> shape;
 };
 
 /// The content of a `.tpl` file.
@@ -44,7 +45,7 @@ struct TemplateFile {
     std::vector<ParticleTemplate> shapes;
 };
 
-/// "sphere", "sr": the word used in files and messages.
+/// "sphere", "sr", "clump": the word used in files and messages.
 std::string kind_name(const ParticleTemplate& shape);
 
 }  // namespace dem

@@ -37,6 +37,17 @@ double support_extent(const SrShape& shape, double cosine) {
     return p.r * sine + p.z * cosine;
 }
 
+Aabb box_of(const Clump& clump, const Vec3& position, const Quat& orientation) {
+    const Mat3 to_world = orientation.toRotationMatrix();
+    Aabb box{position, position};
+    for (const ClumpSphere& s : clump.spheres) {
+        const Vec3 center = position + to_world * s.center();
+        box.lower = box.lower.cwiseMin(center - Vec3::Constant(s.radius));
+        box.upper = box.upper.cwiseMax(center + Vec3::Constant(s.radius));
+    }
+    return box;
+}
+
 }  // namespace
 
 BodyAabbs::BodyAabbs(const std::vector<ParticleTemplate>& shapes) : shapes_(&shapes) {
@@ -51,6 +62,9 @@ Aabb BodyAabbs::box(std::uint32_t shape, const Vec3& position, const Quat& orien
     if (const auto* sphere = std::get_if<Sphere>(&geometry)) {
         const Vec3 half = Vec3::Constant(sphere->radius);
         return {position - half, position + half};
+    }
+    if (const auto* clump = std::get_if<Clump>(&geometry)) {
+        return box_of(*clump, position, orientation);
     }
     const auto& sr = *std::get_if<SrShape>(&geometry);
     const Cylinder& cylinder = cylinders_[shape];

@@ -8,7 +8,7 @@
 
 namespace dem {
 
-/// Boxes that hold whole bodies: exact for spheres and for convex surfaces of revolution, for
+/// Boxes that hold whole bodies: exact for spheres, clumps and convex surfaces of revolution, for
 /// others the box of the circular cylinder about the axis that holds the shape.
 class BodyAabbs {
   public:

@@ -132,7 +132,7 @@ constexpr Key contact_keys[] = {
      .standard = "auto",
      .words = "auto continuous nodes",
      .doc = "contact geometry of SR shapes: `auto` is `continuous` for convex pairs and `nodes` "
-            "for the rest"},
+            "for the rest; pairs with a clump have one way and ignore it"},
     {.name = "node_normal",
      .type = choice,
      .standard = "gradient",

@@ -14,7 +14,7 @@ namespace dem {
 struct NodeMemory {
     PatchHistory& history;
     NodeCache& cache;
-    ContactScratch& scratch;  ///< as large as the largest number of nodes of any shape
+    ContactScratch& scratch;  ///< see there for how large
     double travel;            ///< see cannot_touch() [m]
 };
 

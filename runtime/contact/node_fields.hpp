@@ -168,11 +168,14 @@ struct RodField : ExactField {
         if (side > 0.0 && end > 0.0) return {std::hypot(side, end)};
         return {std::max(side, end)};
     }
-    /// Inside only, where nodes touch: away from the nearer of side and end.
-    Vec3 gradient(const Vec3& x, const Sample& /*s*/) const {
+    /// In front of the edge away from it, elsewhere away from the nearer of side and end.
+    Vec3 gradient(const Vec3& x, const Sample& s) const {
         const AxialPoint p = axial_point(x - origin, axis);
-        if (p.r - radius >= beyond_end(p.z) && p.r > 0.0) return p.radial;
-        return p.z > 0.5 * length ? axis : Vec3(-axis);
+        const double side = p.r - radius;
+        const double end = beyond_end(p.z);
+        const Vec3 end_normal = p.z > 0.5 * length ? axis : Vec3(-axis);
+        if (side > 0.0 && end > 0.0) return (side * p.radial + end * end_normal) / s.distance;
+        return side >= end && p.r > 0.0 ? p.radial : end_normal;
     }
     static bool accepts(const Vec3& /*x*/) { return true; }
 

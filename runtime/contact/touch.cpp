@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/touch.hpp"
 
+#include "runtime/contact/clump_clump.hpp"
+#include "runtime/contact/clump_contact.hpp"
+#include "runtime/contact/clump_sr.hpp"
+#include "runtime/contact/clump_wall.hpp"
 #include "runtime/contact/node_contact.hpp"
 #include "runtime/contact/sphere_sphere.hpp"
 #include "runtime/contact/sphere_sr_nodes.hpp"
@@ -64,6 +68,25 @@ bool touching(const SrShape& a, const SrShape& b, const PairState& pair) {
            by_nodes(b, a, swapped(pair), b.nodes.nodes.size());
 }
 
+/// Pairs with a clump, in this order.
+std::size_t contact_points(const Clump& a, const SrShape& b) {
+    return std::max<std::size_t>(contact_room(a), b.nodes.nodes.size());
+}
+template <class B>
+std::size_t contact_points(const Clump& a, const B&) {
+    return contact_room(a);
+}
+template <class B>
+bool touching(const Clump& a, const B& b, const PairState& pair) {
+    return by_nodes(a, b, pair, contact_points(a, b));
+}
+bool touching(const Sphere& a, const Clump& b, const PairState& pair) {
+    return touching(b, a, swapped(pair));
+}
+bool touching(const SrShape& a, const Clump& b, const PairState& pair) {
+    return touching(b, a, swapped(pair));
+}
+
 template <class Wall>
 bool touching(const Sphere& a, const Wall& wall, const PairState& pair) {
     return in_closed_form(a, wall, pair);
@@ -84,6 +107,14 @@ double extent(const SrShape& shape, const Quat& orientation, const Vec3& directi
     double farthest = -std::numeric_limits<double>::infinity();
     for (const SurfaceNodes::Node& node : shape.nodes.nodes)
         farthest = std::max(farthest, n.dot(Vec3(node.x, node.y, node.z)));
+    return farthest;
+}
+
+double extent(const Clump& shape, const Quat& orientation, const Vec3& direction) {
+    const Vec3 n = orientation.conjugate() * direction;
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (const ClumpSphere& s : shape.spheres)
+        farthest = std::max(farthest, n.dot(s.center()) + s.radius);
     return farthest;
 }
 

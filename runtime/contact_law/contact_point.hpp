@@ -41,7 +41,8 @@ struct PatchHistory {
 static_assert(std::is_trivially_copyable_v<PatchHistory>);
 
 /// Room for the contact points of one pair, owned by the host, one per thread, as large as the
-/// largest number of nodes of any shape: kernels allocate nothing.
+/// largest number of nodes of any shape and as contact_room() of any clump: kernels allocate
+/// nothing.
 using ContactScratch = std::vector<ContactPoint>;
 
 /// Force of one contact point (Hertz-Mindlin, METHODS 3). `local_radius` is R* at this place now.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/narrow_phase/narrow_phase.hpp"
 
+#include "runtime/contact/clump_contact.hpp"
 #include "runtime/walls/wall_distance.hpp"
 
 #include <algorithm>
@@ -179,13 +180,15 @@ void compute_list(List& list, NeighborLists& lists, const Partner& partner, doub
 
 NarrowPhaseScratch make_scratch(const Scene& scene) {
     NarrowPhaseScratch scratch;
-    std::size_t most_nodes = 0;
+    std::size_t most_points = 0;
     for (const ParticleTemplate& shape : scene.shapes) {
         const auto* sr = std::get_if<SrShape>(&shape.shape);
-        if (sr != nullptr) most_nodes = std::max<std::size_t>(most_nodes, sr->nodes.count);
+        if (sr != nullptr) most_points = std::max<std::size_t>(most_points, sr->nodes.count);
+        const auto* clump = std::get_if<Clump>(&shape.shape);
+        if (clump != nullptr) most_points = std::max(most_points, contact_room(*clump));
     }
     scratch.threads.resize(static_cast<std::size_t>(omp_get_max_threads()));
-    for (auto& thread : scratch.threads) thread.points.resize(most_nodes);
+    for (auto& thread : scratch.threads) thread.points.resize(most_points);
     for (const BodyKind& kind : scene.kinds) {
         const double volume = scene.shapes[kind.shape].mass_properties.volume;
         scratch.equivalent_radius.push_back(0.5 * equivalent_diameter(volume));

@@ -2,6 +2,9 @@
 #pragma once
 
 #include "common/shapes/particle_template.hpp"
+#include "runtime/contact/clump_clump.hpp"
+#include "runtime/contact/clump_sr.hpp"
+#include "runtime/contact/clump_wall.hpp"
 #include "runtime/contact/sphere_sphere.hpp"
 #include "runtime/contact/sphere_sr_nodes.hpp"
 #include "runtime/contact/sphere_wall.hpp"
@@ -26,7 +29,12 @@ using PairLists =
                PairList<SrShape, SrShape, PointHistory, MissCache, ContactLaw::Method::continuous>,
                PairList<Sphere, SrShape, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
                PairList<SrShape, Sphere, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
-               PairList<SrShape, SrShape, PatchHistory, NodeCache, ContactLaw::Method::nodes>>;
+               PairList<SrShape, SrShape, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
+               PairList<Clump, Clump, PatchHistory, NodeCache>,
+               PairList<Sphere, Clump, PatchHistory, NodeCache>,
+               PairList<Clump, Sphere, PatchHistory, NodeCache>,
+               PairList<SrShape, Clump, PatchHistory, NodeCache>,
+               PairList<Clump, SrShape, PatchHistory, NodeCache>>;
 
 using WallLists = std::tuple<
     PairList<Sphere, PlaneWall, PointHistory, NoCache>,
@@ -34,9 +42,11 @@ using WallLists = std::tuple<
     PairList<SrShape, PlaneWall, PointHistory, MissCache, ContactLaw::Method::continuous>,
     PairList<SrShape, CylinderWall, PatchHistory, MissCache, ContactLaw::Method::continuous>,
     PairList<SrShape, PlaneWall, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
-    PairList<SrShape, CylinderWall, PatchHistory, NodeCache, ContactLaw::Method::nodes>>;
+    PairList<SrShape, CylinderWall, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
+    PairList<Clump, PlaneWall, PatchHistory, NodeCache>,
+    PairList<Clump, CylinderWall, PatchHistory, NodeCache>>;
 
-/// How contacts of these shapes are computed: shapes that are not convex need nodes.
+/// How contacts of these spheres and SR shapes are computed: shapes that are not convex need nodes.
 inline ContactLaw::Method contact_method(bool all_convex, const ContactLaw& law) {
     const bool with_nodes = law.method == ContactLaw::Method::nodes || !all_convex;
     return with_nodes ? ContactLaw::Method::nodes : ContactLaw::Method::continuous;

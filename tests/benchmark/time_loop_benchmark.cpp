@@ -18,7 +18,8 @@
 
 // Cost of the time loop on settled beds with fixed counts:
 //
-//     time_loop_benchmark spheres|candies|candies_nodes [count [threads [steps [skin in mm]]]]
+//     time_loop_benchmark spheres|candies|candies_nodes|clumps [count [threads [steps [skin in
+//     mm]]]]
 //
 // A bed first settles with a large time step, then the loop is timed with the one of the scene. The
 // hash proves that a faster version still computes the same. The cost of one core is in cpu_us; the
@@ -80,11 +81,20 @@ Bed candy_bed(const Settings& s, ContactLaw::Method method) {
     return {std::move(scene), 5e-6, 100000, 5e-7};
 }
 
+// The same packing of clumps of 60 spheres.
+Bed clump_bed(const Settings& s) {
+    Bed bed = candy_bed(s, ContactLaw::Method::automatic);
+    bed.scene.shapes[0] = scenes::candy_clump(60);
+    return bed;
+}
+
 Bed make_bed(const Settings& s) {
     if (s.scene == "spheres") return sphere_bed(s);
     if (s.scene == "candies") return candy_bed(s, ContactLaw::Method::continuous);
     if (s.scene == "candies_nodes") return candy_bed(s, ContactLaw::Method::nodes);
-    throw UsageError("unknown scene '" + s.scene + "', expected spheres, candies or candies_nodes");
+    if (s.scene == "clumps") return clump_bed(s);
+    throw UsageError("unknown scene '" + s.scene +
+                     "', expected spheres, candies, candies_nodes or clumps");
 }
 
 // The scene with its bodies where they are now.
@@ -186,7 +196,8 @@ void measure(const Settings& s) {
 }
 
 Settings settings(int argc, char** argv) {
-    if (argc < 2) throw UsageError("no scene given, expected spheres, candies or candies_nodes");
+    if (argc < 2)
+        throw UsageError("no scene given, expected spheres, candies, candies_nodes or clumps");
     Settings s{argv[1], std::string(argv[1]) == "spheres" ? 32000U : 250U};
     if (argc > 2) s.count = static_cast<std::uint32_t>(std::atoi(argv[2]));
     if (argc > 3) s.threads = std::atoi(argv[3]);

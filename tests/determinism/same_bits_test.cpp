@@ -109,6 +109,28 @@ Scene node_mixture() {
     return mixture(ContactLaw::Method::nodes);
 }
 
+// Clumps among candies, peanuts and spheres: every pair of kinds that has a clump in it.
+Scene clump_mixture() {
+    Scene scene = scenes::one_material({2e7, 1400.0, 0.5, 0.3});
+    static const ParticleTemplate candy = scenes::candy(600);
+    static const ParticleTemplate peanut = scenes::peanut(600);
+    scenes::add_kind(scene, scenes::candy_clump());
+    scenes::add_kind(scene, peanut);
+    scenes::add_kind(scene, scenes::dumbbell_clump());
+    scenes::add_kind(scene, candy);
+    scenes::add_kind(scene, scenes::sphere(4e-3));
+    std::vector<BodyPlacement> bodies = scenes::column(60, 5, 25e-3, 13.5e-3);
+    for (BodyPlacement& body : bodies) body.velocity = {0.3, 0.2, -1.5};
+    scene.insertions.push_back(scenes::placed(bodies));
+    scenes::add_vessel(scene, 25e-3);
+    for (Wall& wall : scene.walls) {
+        wall.motion.kind = WallMotion::Kind::rotate;
+        wall.motion.rate = 15.0;
+        wall.motion.from = 0.005;
+    }
+    return scene;
+}
+
 class SameBits : public testing::TestWithParam<NamedScene> {
   protected:
     void TearDown() override { omp_set_num_threads(threads_before_); }
@@ -176,7 +198,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(NamedScene{"polydisperse_spheres", polydisperse_spheres, 4e-6, 2000},
                     NamedScene{"batches", batches_into_a_turning_vessel, 6e-6, 4000},
                     NamedScene{"continuous", continuous_mixture, 1e-5, 3000},
-                    NamedScene{"nodes", node_mixture, 1e-5, 3000}),
+                    NamedScene{"nodes", node_mixture, 1e-5, 3000},
+                    NamedScene{"clumps", clump_mixture, 1e-5, 3000}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

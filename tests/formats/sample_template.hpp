@@ -131,11 +131,25 @@ inline ParticleTemplate sr_sphere(std::uint32_t count = 20) {
     return t;
 }
 
+/// Twelve balls on a ring, a clump.
+inline ParticleTemplate ring() {
+    std::vector<ClumpSphere> spheres;
+    ParticleTemplate t = sphere(1.5e-3, "ring");
+    for (int k = 0; k < 12; ++k) {
+        const double angle = pi * k / 6.0;
+        spheres.push_back({1e-3 * std::cos(angle), 1e-3 * std::sin(angle), 0.0, 5e-4,
+                           t.mass_properties.volume / 12.0});
+    }
+    t.is_convex = false;
+    t.shape = make_clump(std::move(spheres));
+    return t;
+}
+
 inline TemplateFile file() {
     return {"shapegen ball.profile -o ball.tpl",
             0x0123456789abcdefULL,
             "0.1.0",
-            {sphere(1.5e-3), sr_sphere()}};
+            {sphere(1.5e-3), sr_sphere(), ring()}};
 }
 
 /// Bytes in memory aligned as in a map.

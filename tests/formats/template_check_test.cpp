@@ -169,6 +169,50 @@ TEST(TemplateCheck, AWrongValueUnderARightChecksumIsFoundAndNamed) {
     }
 }
 
+TEST(TemplateCheck, AWrongClumpIsFoundAndNamed) {
+    struct ClumpCase {
+        const char* expected;
+        std::function<void(ParticleTemplate&, Clump&)> change;
+    };
+    const auto sphere = [](auto& clump, const std::function<void(ClumpSphere&)>& change) {
+        ClumpSphere s = clump.spheres[5];
+        change(s);
+        set(clump.spheres, 5, s);
+    };
+    const ClumpCase cases[] = {
+        {"has no spheres", [](auto&, auto& c) { c.spheres = {}; }},
+        {"radius of a sphere is nan",
+         [&](auto&, auto& c) { sphere(c, [](auto& s) { s.radius = nan; }); }},
+        {"radius of a sphere is -",
+         [&](auto&, auto& c) { sphere(c, [](auto& s) { s.radius = -1e-4; }); }},
+        {"volume share of a sphere is inf",
+         [&](auto&, auto& c) { sphere(c, [](auto& s) { s.volume_share = inf; }); }},
+        {"do not add up", [&](auto&, auto& c) { sphere(c, [](auto& s) { s.volume_share = 0; }); }},
+        {"outside the bounding radius",
+         [&](auto&, auto& c) { sphere(c, [](auto& s) { s.x = nan; }); }},
+        {"outside the bounding radius",
+         [&](auto&, auto& c) { sphere(c, [](auto& s) { s.radius *= 1.001; }); }},
+        {"outside its bounding ball",
+         [](auto&, auto& c) {
+             set(c.balls, 0, Clump::Ball{0, 0, 0, nan});
+         }},
+        {"outside its bounding ball",
+         [](auto&, auto& c) {
+             set(c.balls, 2, Clump::Ball{0, 0, 0, 1.4e-3});
+         }},
+        {"in number", [](auto&, auto& c) { drop_last(c.balls); }},
+        {"in number", [](auto&, auto& c) { c.balls = {}; }},
+    };
+    for (const ClumpCase& c : cases) {
+        TemplateFile content = sample::file();
+        ParticleTemplate& t = content.shapes[2];
+        c.change(t, std::get<Clump>(t.shape));
+        const std::string message = reading(content);
+        EXPECT_NE(message.find(c.expected), std::string::npos)
+            << "expected: " << c.expected << "\nfound:    " << message;
+    }
+}
+
 TEST(TemplateCheck, AWrongSphereIsFound) {
     for (const double radius : {0.0, -1e-3, nan, inf, 2e-3}) {
         TemplateFile content = sample::file();

@@ -41,8 +41,8 @@ TEST(TemplateFileTest, EveryValueSurvivesTheRoundTripBitByBit) {
     EXPECT_EQ(read.command, written.command);
     EXPECT_EQ(read.input_hash, written.input_hash);
     EXPECT_EQ(read.shapegen_version, written.shapegen_version);
-    ASSERT_EQ(read.shapes.size(), 2U);
-    for (std::size_t i = 0; i < 2; ++i) expect_same(read.shapes[i], written.shapes[i]);
+    ASSERT_EQ(read.shapes.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) expect_same(read.shapes[i], written.shapes[i]);
     EXPECT_EQ(std::get<Sphere>(read.shapes[0].shape).radius, 1.5e-3);
 
     const auto& a = std::get<SrShape>(read.shapes[1].shape);
@@ -74,6 +74,12 @@ TEST(TemplateFileTest, EveryValueSurvivesTheRoundTripBitByBit) {
     EXPECT_TRUE(same_bytes(a.nodes.blocks, b.nodes.blocks));
     EXPECT_TRUE(same_bytes(a.nodes.super_blocks, b.nodes.super_blocks));
     EXPECT_TRUE(same_bytes(a.nodes.stencil, b.nodes.stencil));
+
+    const auto& c = std::get<Clump>(read.shapes[2].shape);
+    const auto& d = std::get<Clump>(written.shapes[2].shape);
+    EXPECT_TRUE(same_bytes(c.spheres, d.spheres));
+    EXPECT_TRUE(same_bytes(c.balls, d.balls));
+    EXPECT_EQ(c.largest_radius, d.largest_radius);
 }
 
 TEST(TemplateFileTest, ArraysLieInTheBufferAndKeepItAlive) {

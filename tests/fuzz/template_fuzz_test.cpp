@@ -29,6 +29,10 @@ bool is_accepted(std::span<const std::byte> bytes) {
                 hash.add(sr->nodes.nodes.span());
                 hash.add(sr->nodes.stencil.span());
             }
+            if (const auto* clump = std::get_if<Clump>(&t.shape)) {
+                hash.add(clump->spheres.span());
+                hash.add(clump->balls.span());
+            }
         }
         return true;
     } catch (const Error& e) {

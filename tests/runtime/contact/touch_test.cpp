@@ -9,7 +9,7 @@
 namespace dem::test {
 namespace {
 
-ParticleTemplate with_shape(std::variant<Sphere, SrShape> shape) {
+ParticleTemplate with_shape(decltype(ParticleTemplate::shape) shape) {
     ParticleTemplate t;
     t.is_convex = true;
     t.shape = std::move(shape);

@@ -5,6 +5,7 @@
 #include "common/shapes/sdf_quadtree.hpp"
 #include "runtime/contact_law/pair_law.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
+#include "tests/runtime/contact/sample_clumps.hpp"
 #include "tests/runtime/contact/sr_fixture.hpp"
 
 #include <cmath>
@@ -66,6 +67,31 @@ ParticleTemplate candy(std::uint32_t nodes) {
 
 ParticleTemplate peanut(std::uint32_t nodes) {
     return sr_template("peanut", test::peanut(nodes));
+}
+
+ParticleTemplate candy_clump(std::uint32_t spheres) {
+    const double a = 6.585e-3;
+    const double c = 3.395e-3;
+    ParticleTemplate result;
+    result.name = "candy clump";
+    result.mass_properties.volume = 4.0 / 3.0 * pi * a * a * c;
+    result.mass_properties.principal_moments_per_density =
+        result.mass_properties.volume / 5.0 * Vec3(a * a + c * c, a * a + c * c, 2.0 * a * a);
+    result.bounding_radius = a * (1.0 + 1e-9);
+    result.shape = test::candy_clump(spheres);
+    return result;
+}
+
+ParticleTemplate dumbbell_clump() {
+    ParticleTemplate result = sphere(2e-3);
+    result.name = "dumbbell";
+    result.mass_properties.volume *= 2.2;
+    const double m = result.mass_properties.volume;
+    result.mass_properties.principal_moments_per_density = m * Vec3(1.6e-6, 13e-6, 14e-6);
+    result.bounding_radius = 5.5e-3;
+    result.is_convex = false;
+    result.shape = test::dumbbell_clump(3.5e-3, 2e-3);
+    return result;
 }
 
 Scene one_material(const Stuff& stuff) {

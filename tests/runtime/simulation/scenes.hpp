@@ -14,6 +14,10 @@ ParticleTemplate sphere(double radius);
 ParticleTemplate candy(std::uint32_t nodes = 2000);
 ParticleTemplate peanut(std::uint32_t nodes = 2000);
 
+/// The candy as a clump of balls that touch it from inside, and two balls with a third between.
+ParticleTemplate candy_clump(std::uint32_t spheres = 60);
+ParticleTemplate dumbbell_clump();
+
 struct Stuff {
     double youngs_modulus, density, restitution, friction;
     ContactLaw options = {};
