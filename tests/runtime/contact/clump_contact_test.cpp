@@ -50,7 +50,7 @@ BodyState random_state(Random& random) {
     return {random.orientation(),
             0.1 * random.direction(),
             5.0 * random.direction(),
-            {1e3, Vec3(1e8, 2e8, 1.5e8)}};
+            {1e3, Vec3(2e8, 2e8, 1.5e8)}};
 }
 
 using Kernel = std::function<PairContact(const PairState&, const NodeMemory&)>;
@@ -72,11 +72,11 @@ bool same_bits(const PairContact& a, const PairContact& b) {
 int wander(const Kernel& collide_pair, double reach, double bounding_sum, std::uint64_t seed) {
     Random random(seed, 0);
     int contacts = 0;
-    for (int start = 0; start < 30; ++start) {
+    for (int start = 0; start < 10; ++start) {
         Host host;
         PairState pair{{}, random_state(random), random_state(random)};
-        pair.displacement = random.uniform(0.6, 1.05) * reach * random.direction();
-        for (int step = 0; step < 40; ++step) {
+        pair.displacement = random.uniform(0.75, 1.05) * reach * random.direction();
+        for (int step = 0; step < 25; ++step) {
             const double length = bounding_sum * std::pow(10.0, random.uniform(-5.0, -2.0));
             const Vec3 move = length * random.direction();
             pair.displacement += move;
@@ -101,29 +101,29 @@ int wander(const Kernel& collide_pair, double reach, double bounding_sum, std::u
 
 TEST(ClumpContact, TheListNeverChangesABitOfAnyPairOfKinds) {
     const Clump a = candy_clump(60);
-    const Clump many = candy_clump(700);
-    const Clump dumbbell = dumbbell_clump(4e-3, 2e-3);
+    const Clump many = candy_clump(300);
+    const Clump dumbbell = dumbbell_clump(4e-3, 1.5e-3);
     const Sphere sphere{4e-3};
     const SrShape convex = convex_candy();
     const SrShape hollow = peanut(600);
     const double r = 6.6e-3;
-    EXPECT_GT(wander(kernel(a, a), 1.6 * r, 2.0 * r, 1), 100);
-    EXPECT_GT(wander(kernel(many, a), 1.6 * r, 2.0 * r, 2), 100);
-    EXPECT_GT(wander(kernel(many, many), 1.6 * r, 2.0 * r, 3), 100);
-    EXPECT_GT(wander(kernel(a, sphere), 1.4 * r, 1.6 * r, 4), 100);
-    EXPECT_GT(wander(kernel(sphere, dumbbell), 1.4 * r, 1.6 * r, 5), 100);
-    EXPECT_GT(wander(kernel(a, convex), 1.6 * r, 2.0 * r, 6), 100);
-    EXPECT_GT(wander(kernel(convex, dumbbell), 1.6 * r, 2.0 * r, 7), 100);
+    EXPECT_GT(wander(kernel(a, a), 1.6 * r, 2.0 * r, 1), 20);
+    EXPECT_GT(wander(kernel(many, a), 1.6 * r, 2.0 * r, 2), 20);
+    EXPECT_GT(wander(kernel(many, many), 1.6 * r, 2.0 * r, 3), 20);
+    EXPECT_GT(wander(kernel(a, sphere), 1.4 * r, 1.6 * r, 4), 20);
+    EXPECT_GT(wander(kernel(sphere, dumbbell), 1.4 * r, 1.6 * r, 5), 20);
+    EXPECT_GT(wander(kernel(a, convex), 1.6 * r, 2.0 * r, 6), 20);
+    EXPECT_GT(wander(kernel(convex, dumbbell), 1.6 * r, 2.0 * r, 7), 20);
     ASSERT_GT(a.largest_radius, hollow.sdf.margin);
     ASSERT_LT(dumbbell.largest_radius, hollow.sdf.margin);
-    EXPECT_GT(wander(kernel(a, hollow), 1.6 * r, 2.0 * r, 8), 100);
-    EXPECT_GT(wander(kernel(hollow, dumbbell), 1.6 * r, 2.0 * r, 9), 100);
+    EXPECT_GT(wander(kernel(a, hollow), 1.6 * r, 2.0 * r, 8), 20);
+    EXPECT_GT(wander(kernel(hollow, dumbbell), 1.2 * r, 2.0 * r, 9), 20);
     const PlaneWall plane, disc{20e-3};
     const CylinderWall tube{20e-3, 30e-3}, rod{8e-3, 10e-3, false};
-    EXPECT_GT(wander(kernel(a, plane), 1.0 * r, 1.0 * r, 10), 100);
-    EXPECT_GT(wander(kernel(a, disc), 1.0 * r, 1.0 * r, 11), 100);
-    EXPECT_GT(wander(kernel(many, tube), 20e-3, 3.0 * r, 12), 100);
-    EXPECT_GT(wander(kernel(dumbbell, rod), 10e-3, 3.0 * r, 13), 100);
+    EXPECT_GT(wander(kernel(a, plane), 1.0 * r, 1.0 * r, 10), 20);
+    EXPECT_GT(wander(kernel(a, disc), 1.0 * r, 1.0 * r, 11), 20);
+    EXPECT_GT(wander(kernel(many, tube), 20e-3, 3.0 * r, 12), 20);
+    EXPECT_GT(wander(kernel(dumbbell, rod), 10e-3, 3.0 * r, 13), 20);
 }
 
 TEST(ClumpContact, TouchesInThePairsOfSpheresThatAWalkOverAllPairsFinds) {
@@ -190,13 +190,14 @@ TEST(ClumpContact, SwappingThePairNegatesTheForce) {
     compare(a, convex);
     compare(a, hollow);
     compare(a, sphere);
-    compare(dumbbell_clump(4e-3, 2e-3), hollow);
+    compare(dumbbell_clump(4e-3, 1.5e-3), hollow);
 }
 
 /// The force on the one-sphere clump and on the sphere, over random poses.
 template <class Other, class Reference>
-void expect_same_force(const Other& other, double nearest, double farthest, double tolerance,
-                       const Reference& reference) {
+void expect_same_force(const char* name, const Other& other, double nearest, double farthest,
+                       double tolerance, const Reference& reference) {
+    SCOPED_TRACE(name);
     const double radius = 2e-3;
     const Clump clump = make_clump({{0.0, 0.0, 0.0, radius, 1.0}});
     Random random(4, 0);
@@ -207,7 +208,7 @@ void expect_same_force(const Other& other, double nearest, double farthest, doub
         Host host;
         const PairContact c = collide(clump, other, pair, law(), 1e-6, host.memory());
         const PairContact s = reference(Sphere{radius}, pair);
-        ASSERT_EQ(c.touches(), s.touches());
+        ASSERT_EQ(c.touches(), s.touches()) << trial;
         EXPECT_NEAR((c.force - s.force).norm(), 0.0, tolerance * s.force.norm());
         EXPECT_NEAR((c.torque_i - s.torque_i).norm(), 0.0, tolerance * radius * s.force.norm());
         contacts += c.touches() ? 1 : 0;
@@ -224,21 +225,23 @@ TEST(ClumpContact, AClumpOfOneSphereIsThatSphere) {
     };
     const PlaneWall plane, disc{5e-3};
     const CylinderWall tube{8e-3, 12e-3}, rod{3e-3, 4e-3, false};
-    expect_same_force(plane, 0.0, 6e-3, 1e-10, closed_form(plane));
-    expect_same_force(disc, 0.0, 6e-3, 1e-10, closed_form(disc));
-    expect_same_force(tube, 5e-3, 8e-3, 1e-10, closed_form(tube));
-    expect_same_force(rod, 0.0, 7e-3, 1e-10, closed_form(rod));
+    expect_same_force("plane", plane, 0.0, 6e-3, 1e-10, closed_form(plane));
+    expect_same_force("disc", disc, 0.0, 6e-3, 1e-10, closed_form(disc));
+    expect_same_force("tube", tube, 5e-3, 8e-3, 1e-10, closed_form(tube));
+    expect_same_force("rod", rod, 0.0, 7e-3, 1e-10, closed_form(rod));
     const SrShape hollow = peanut(600);
-    expect_same_force(hollow, 4e-3, 9e-3, 1e-10, [&](const Sphere& sphere, const PairState& pair) {
-        Host host;
-        return collide(sphere, hollow, pair, law(), 1e-6, host.memory());
-    });
+    expect_same_force("hollow", hollow, 4e-3, 9e-3, 1e-10,
+                      [&](const Sphere& sphere, const PairState& pair) {
+                          Host host;
+                          return collide(sphere, hollow, pair, law(), 1e-6, host.memory());
+                      });
     const SrShape convex = convex_candy();
-    expect_same_force(convex, 4e-3, 9e-3, 1e-7, [&](const Sphere& sphere, const PairState& pair) {
-        PointHistory history;
-        MissCache miss;
-        return collide(sphere, convex, pair, law(), 1e-6, ContactMemory{history, miss});
-    });
+    expect_same_force(
+        "convex", convex, 4e-3, 9e-3, 1e-7, [&](const Sphere& sphere, const PairState& pair) {
+            PointHistory history;
+            MissCache miss;
+            return collide(sphere, convex, pair, law(), 1e-6, ContactMemory{history, miss});
+        });
 }
 
 TEST(ClumpContact, KeepsTheDeepestPointsWhenThereIsNoRoomForAll) {
