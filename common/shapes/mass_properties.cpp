@@ -45,7 +45,7 @@ Mat3 smallest_turn_to(const Vec3& axis) {
 
 Mat3 principal_rotation(const Mat3& inertia) {
     const Eigen::SelfAdjointEigenSolver<Mat3> eigen(inertia);
-    const Vec3 moments = eigen.eigenvalues();  // ascending
+    const Vec3& moments = eigen.eigenvalues();  // ascending
     const double negligible = 1e-9 * moments[2];
     const bool low_pair = moments[1] - moments[0] <= negligible;
     const bool high_pair = moments[2] - moments[1] <= negligible;

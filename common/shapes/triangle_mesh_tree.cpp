@@ -26,13 +26,13 @@ Vec3 offset_to_triangle(const Vec3& pa, const Vec3& ab, const Vec3& ac) {
     const double d1 = -ab.dot(pa);
     const double d2 = -ac.dot(pa);
     if (d1 <= 0.0 && d2 <= 0.0) return pa;
-    const Vec3 pb = pa + ab;
+    Vec3 pb = pa + ab;
     const double d3 = -ab.dot(pb);
     const double d4 = -ac.dot(pb);
     if (d3 >= 0.0 && d4 <= d3) return pb;
     const double vc = d1 * d4 - d3 * d2;
     if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return pa + (d1 / (d1 - d3)) * ab;
-    const Vec3 pc = pa + ac;
+    Vec3 pc = pa + ac;
     const double d5 = -ab.dot(pc);
     const double d6 = -ac.dot(pc);
     if (d6 >= 0.0 && d5 <= d6) return pc;
