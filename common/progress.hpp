@@ -8,6 +8,9 @@
 
 namespace dem {
 
+/// Called with the part of the work that is done, 0 to 1, and what comes next.
+using StageProgress = std::function<void(double done, std::string_view next)>;
+
 /// Says how far long work is and when it will probably end. On a terminal one line is redrawn a few
 /// times a second; otherwise a line is printed at every tenth and at least every minute; quiet
 /// prints nothing. Made by `main`, which chooses the stream.

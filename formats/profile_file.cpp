@@ -155,7 +155,7 @@ ProfileFile parse_profile(std::string_view text, const std::string& path) {
     StateHash hash;
     hash.add(std::span<const char>(text));
     return {Profile(std::move(draft.segments), std::move(draft.labels)),
-            std::filesystem::path(path).stem().string(), hash.value()};
+            std::filesystem::path(path).stem().string(), hash.value(), parts.unit};
 }
 
 ProfileFile read_profile(const std::string& path) {

@@ -15,6 +15,7 @@ struct ProfileFile {
     Profile profile;         ///< [m], in the frame of the file
     std::string name;        ///< of the file, without folder and ending
     std::uint64_t hash = 0;  ///< FNV-1a of the file's bytes
+    double unit = 1.0;       ///< of the file's plain numbers [m]
 };
 
 /// Reads a file. Ends off the axis are closed by discs, a path from top to bottom is turned round.

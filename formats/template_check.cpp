@@ -94,6 +94,7 @@ void check_template(const ParticleTemplate& shape, const std::string& where) {
         "the mean squared surface distance exceeds the square of the bounding radius");
     check_display_mesh(shape.display_mesh, shape.bounding_radius, check);
     check_certificate(shape.certificate, check);
+    check.positive(shape.input_unit, "unit of the input");
     std::visit(CheckKind{shape, check}, shape.shape);
 }
 

@@ -35,6 +35,7 @@ class Decoder {
                                    mesh->max_deviation()};
         }
         result.certificate = certificate(shape);
+        result.input_unit = shape.input_unit();
         if (const schema::SphereShape* sphere = shape.data_as_SphereShape()) {
             result.shape = Sphere{sphere->radius()};
         } else if (const schema::SrShape* sr = shape.data_as_SrShape()) {

@@ -39,14 +39,37 @@ std::string hash_text(std::uint64_t hash) {
     return digits;
 }
 
+/// Three entries name_x, name_y, name_z follow one another: a vector.
+bool is_vector_at(const Certificate& certificate, std::size_t i) {
+    if (i + 3 > certificate.size()) return false;
+    const std::string& name = certificate[i].first;
+    if (!name.ends_with("_x")) return false;
+    const std::string stem = name.substr(0, name.size() - 1);
+    return certificate[i + 1].first == stem + 'y' && certificate[i + 2].first == stem + 'z';
+}
+
+/// The entries in order, those of a vector as an array under their common name.
+Json certificate_json(const Certificate& certificate) {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < certificate.size(); ++i) {
+        const auto& [name, value] = certificate[i];
+        if (is_vector_at(certificate, i)) {
+            json[name.substr(0, name.size() - 2)] = {value, certificate[i + 1].second,
+                                                     certificate[i + 2].second};
+            i += 2;
+        } else {
+            json[name] = value;
+        }
+    }
+    return json;
+}
+
 Json json_of(const ParticleTemplate& shape) {
     const MassProperties& mass = shape.mass_properties;
     const Vec3& c = mass.center_of_mass;
     const Vec3& moments = mass.principal_moments_per_density;
     const Quat& q = mass.principal_axes;
     const Counts n = counts(shape);
-    Json certificate = Json::object();
-    for (const auto& [name, value] : shape.certificate) certificate[name] = value;
     return {{"name", shape.name},
             {"kind", kind_name(shape)},
             {"volume", mass.volume},
@@ -62,7 +85,7 @@ Json json_of(const ParticleTemplate& shape) {
               {"vertices", n.vertices},
               {"triangles", n.triangles},
               {"cells", n.cells}}},
-            {"certificate", certificate}};
+            {"certificate", certificate_json(shape.certificate)}};
 }
 
 /// printf into a string.
@@ -87,7 +110,8 @@ std::string text_of(const ParticleTemplate& shape) {
     text += format("  principal moments %.9g %.9g %.9g m^5, times the density\n", moments.x(),
                    moments.y(), moments.z());
     text += format("  bounding radius   %.6g mm\n", 1e3 * shape.bounding_radius);
-    if (n.spheres > 1) text += format("  spheres           %" PRIu64 "\n", n.spheres);
+    if (std::holds_alternative<Clump>(shape.shape))
+        text += format("  spheres           %" PRIu64 "\n", n.spheres);
     if (n.nodes > 0) text += format("  surface nodes     %" PRIu64 "\n", n.nodes);
     if (n.cells > 0) text += format("  distance cells    %" PRIu64 "\n", n.cells);
     if (n.triangles > 0) text += format("  display triangles %" PRIu64 "\n", n.triangles);

@@ -116,7 +116,8 @@ Offset<schema::Shape> encode(FlatBufferBuilder& fbb, const ParticleTemplate& sha
     const EncodedKind kind = std::visit(EncodeKind{fbb}, shape.shape);
     return schema::CreateShape(fbb, name, &mass, shape.bounding_radius,
                                shape.mean_squared_surface_distance, shape.is_convex, mesh,
-                               certificate_names, certificate_values, kind.type, kind.data);
+                               certificate_names, certificate_values, kind.type, kind.data,
+                               shape.input_unit);
 }
 
 template <class T>

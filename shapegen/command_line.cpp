@@ -3,6 +3,8 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
+#include "shapegen/clump_options.hpp"
+#include "shapegen/import/mesh_file.hpp"
 
 #include <sstream>
 #include <vector>
@@ -26,7 +28,13 @@ po::options_description cook_options() {
     po::options_description options("Cooking");
     options.add_options()("output,o", po::value<std::string>()->value_name("OUT.tpl"),
                           "the template to write; default: INPUT's name with .tpl, here")(
-        "sr", "as a surface of revolution: the default for a profile")(
+        "quiet,q", "print nothing but errors");
+    return options;
+}
+
+po::options_description sr_options() {
+    po::options_description options("Surfaces of revolution (docs/profile-file.md)");
+    options.add_options()("sr", "as a surface of revolution: the default for a profile")(
         "sphere", "as an exact sphere; the profile must be one")(
         "nodes", po::value<std::int64_t>()->default_value(2000)->value_name("N"), "surface nodes")(
         "base-cells", po::value<std::int64_t>()->default_value(50)->value_name("N"),
@@ -34,8 +42,7 @@ po::options_description cook_options() {
         "interface-cells", po::value<std::int64_t>()->default_value(200)->value_name("N"),
         "... near the surface; a power of two times the base cells")(
         "corner-cells", po::value<std::int64_t>()->default_value(800)->value_name("N"),
-        "... at sharp edges; a power of two times the interface cells")("quiet,q",
-                                                                        "print nothing but errors");
+        "... at sharp edges; a power of two times the interface cells");
     return options;
 }
 
@@ -59,18 +66,23 @@ std::string help_text() {
     std::ostringstream out;
     out << "shapegen cooks a particle shape: it computes once what a run needs and writes it, with "
            "the error\nit makes, into a template for demrun.\n\n"
-           "  shapegen INPUT.profile [-o OUT.tpl] [options]\n"
+           "  shapegen PROFILE [-o OUT.tpl] [options]\n"
+           "  shapegen MESH|PROFILE --clump 0.95 [-o OUT.tpl] [options]\n"
            "  shapegen inspect FILE.tpl [--json]\n"
            "  shapegen export FILE.tpl -o FILE.{svg,stl,vtu,csv} [--shape NAME|INDEX]\n\n"
-           "INPUT is a profile, the generating curve of a surface of revolution "
-           "(docs/profile-file.md).\n\n"
+           "A PROFILE is the generating curve of a surface of revolution; a MESH is a .stl, .obj, "
+           ".ply, .off,\n.gltf or .glb file.\n\n"
         << cook_options() << '\n'
+        << sr_options() << '\n'
+        << clump_options() << '\n'
+        << mesh_options() << '\n'
         << inspect_options() << '\n'
         << export_options() << '\n'
         << common_options()
         << "\nExit codes: 0 done, 1 failed (input, disk), 2 wrong command line.\n\n"
            "Example:\n"
-           "  shapegen data/profiles/tablet.profile && shapegen export tablet.tpl -o tablet.svg\n";
+           "  shapegen data/profiles/tablet.profile && shapegen export tablet.tpl -o tablet.svg\n"
+           "  shapegen data/meshes/bunny.ply --clump 0.95 && shapegen inspect bunny.tpl\n";
     return out.str();
 }
 
@@ -137,9 +149,6 @@ std::uint32_t number(const po::variables_map& values, const std::string& option,
 
 CookOptions read_options(const po::variables_map& values) {
     CookOptions options;
-    if (values.count("sr") != 0 && values.count("sphere") != 0) {
-        throw UsageError("command line", "found --sr and --sphere, expected one of them");
-    }
     options.kind = values.count("sphere") != 0 ? CookOptions::Kind::sphere : CookOptions::Kind::sr;
     options.nodes = number(values, "nodes", fewest_nodes, most_nodes);
     options.resolution = {number(values, "base-cells", fewest_base_cells, most_cells),
@@ -155,12 +164,49 @@ bool wants_words(const po::variables_map& values, PrintCommand& print) {
     return !print.text.empty();
 }
 
+/// At most one way to make a shape, and no option of another way.
+void check_modes(const po::variables_map& values, bool is_clump) {
+    Words found;
+    for (const char* mode : {"sr", "sphere", "clump", "clump-spheres", "clump-error"})
+        if (values.count(mode) != 0) found.emplace_back(mode);
+    if (found.size() > 1)
+        throw UsageError("command line",
+                         "found --" + found[0] + " and --" + found[1] + ", expected one of them");
+    if (!is_clump) return;
+    for (const char* option : {"nodes", "base-cells", "interface-cells", "corner-cells"})
+        if (!values[option].defaulted())
+            throw UsageError("--" + std::string(option),
+                             "found it with --" + found[0] + ", expected it with --sr only");
+}
+
+/// The options of meshes mean nothing for a profile, which says its unit itself.
+void check_input_kind(const po::variables_map& values, const CookCommand& command) {
+    if (is_mesh_file(command.input)) {
+        if (!command.clump)
+            throw UsageError(command.input.string(),
+                             "found a mesh without a mode, expected --clump C, --clump-spheres N "
+                             "or --clump-error E%");
+        return;
+    }
+    for (const char* option : {"unit", "scale", "repair-limit", "largest"})
+        if (values.count(option) != 0 && !values[option].defaulted())
+            throw UsageError("--" + std::string(option),
+                             "found it with the profile " + command.input.string() +
+                                 ", expected it with a mesh (.stl, .obj, .ply, .off, .gltf, .glb)");
+}
+
 Command parse_cook(const Words& words) {
-    const po::variables_map values = parse(words, cook_options());
+    po::options_description options = cook_options();
+    options.add(sr_options()).add(clump_options()).add(mesh_options());
+    const po::variables_map values = parse(words, options);
     PrintCommand print;
     if (wants_words(values, print)) return print;
     CookCommand command;
-    command.input = one_input(values, "a .profile file");
+    command.input = one_input(values, "a mesh or a .profile file");
+    command.clump = read_clump_options(values);
+    check_modes(values, command.clump.has_value());
+    check_input_kind(values, command);
+    command.mesh = read_mesh_options(values);
     command.options = read_options(values);
     command.output = values.count("output") != 0
                          ? std::filesystem::path(values["output"].as<std::string>())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "shapegen/clump_options.hpp"
 #include "shapegen/pipeline/cook.hpp"
 
 #include <filesystem>
@@ -14,6 +15,8 @@ namespace dem {
 struct CookCommand {
     std::filesystem::path input, output;
     CookOptions options;
+    std::optional<ClumpCommand> clump;  ///< instead of the options above
+    MeshLoadOptions mesh;
     bool is_quiet = false;
     std::string text;  ///< the whole command line, kept in the template
 };

@@ -2,35 +2,23 @@
 #include "shapegen/run_command.hpp"
 
 #include "common/error.hpp"
+#include "common/progress.hpp"
 #include "formats/profile_file.hpp"
 #include "formats/template_reader.hpp"
 #include "formats/template_summary.hpp"
 #include "formats/template_writer.hpp"
 #include "shapegen/pipeline/export.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <chrono>
 #include <cstdio>
+#include <iostream>
+#include <memory>
 #include <ostream>
 
 namespace dem {
 
 namespace {
-
-/// Surfaces of any shape need the modes for meshes, which this version does not have.
-void refuse_mesh(const std::filesystem::path& input) {
-    constexpr std::array extensions{".stl",  ".obj", ".ply", ".off",
-                                    ".gltf", ".glb", ".3mf", ".vtk"};
-    std::string extension = input.extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) return;
-    throw Error(input.string(), "found a mesh (" + extension +
-                                    "), expected a .profile: this version cooks profiles only "
-                                    "(--sr, --sphere); clumps, convex bodies and walls from meshes "
-                                    "come in a later version");
-}
 
 /// The output replaces what was there: never what was read.
 void keep_input(const std::filesystem::path& input, const std::filesystem::path& output) {
@@ -40,16 +28,70 @@ void keep_input(const std::filesystem::path& input, const std::filesystem::path&
     }
 }
 
+/// Progress on stderr for work that takes more than a moment.
+class LateProgress {
+  public:
+    LateProgress(std::string task, bool is_quiet)
+        : task_(std::move(task)), style_(Progress::stderr_style(is_quiet)) {}
+
+    void update(double done, std::string_view next) {
+        constexpr double moment = 2.0;  // [s]
+        if (!progress_ && Progress::steady_seconds() - start_ < moment) return;
+        if (!progress_) {
+            progress_ = std::make_unique<Progress>(std::cerr, style_, task_, 1.0);
+            progress_->begin_at(done);
+        }
+        progress_->update(done, next);
+    }
+
+  private:
+    std::string task_;
+    Progress::Style style_;
+    double start_ = Progress::steady_seconds();
+    std::unique_ptr<Progress> progress_;
+};
+
+/// Shows a part of all work, from `begin` to `end`.
+StageProgress part(LateProgress& progress, double begin, double end) {
+    return [&progress, begin, end](double done, std::string_view next) {
+        progress.update(begin + (end - begin) * done, next);
+    };
+}
+
+/// A template of one shape; `lines` are for the user.
+struct Cooked {
+    ParticleTemplate shape;
+    std::uint64_t input_hash = 0;
+    std::vector<std::string> lines;
+};
+
+Cooked cook_profile(const CookCommand& command) {
+    const ProfileFile file = read_profile(command.input.string());
+    Cooked cooked{cook(file.profile, file.name, command.options), file.hash, {}};
+    cooked.shape.input_unit = file.unit;
+    return cooked;
+}
+
+Cooked cook_solid(const CookCommand& command) {
+    LateProgress progress("shapegen " + command.input.filename().string(), command.is_quiet);
+    constexpr double loading = 0.1;  // of the time
+    MeshLoadOptions mesh = command.mesh;
+    mesh.progress = part(progress, 0.0, loading);
+    const Solid solid = load_solid(command.input, mesh);
+    ClumpRequest request = command.clump->request;
+    request.options.progress = part(progress, loading, 1.0);
+    return {cook_clump(solid, request), solid.hash, solid.lines};
+}
+
 void run(const CookCommand& command, std::ostream& out) {
     const auto start = std::chrono::steady_clock::now();
-    refuse_mesh(command.input);
     keep_input(command.input, command.output);
-    const ProfileFile file = read_profile(command.input.string());
+    Cooked cooked = command.clump ? cook_solid(command) : cook_profile(command);
     TemplateFile result;
     result.command = command.text;
-    result.input_hash = file.hash;
+    result.input_hash = cooked.input_hash;
     result.shapegen_version = DEM_VERSION;
-    result.shapes.push_back(cook(file.profile, file.name, command.options));
+    result.shapes.push_back(std::move(cooked.shape));
     write_template(command.output, result);
     if (command.is_quiet) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -57,6 +99,8 @@ void run(const CookCommand& command, std::ostream& out) {
     std::snprintf(words.data(), words.size(), ": %.0f KB in %.2f s\n",
                   1e-3 * static_cast<double>(std::filesystem::file_size(command.output)),
                   seconds.count());
+    for (const std::string& line : cooked.lines)
+        out << command.input.filename().string() << ": " << line << '\n';
     out << template_text(result) << command.output.string() << words.data();
 }
 

@@ -34,6 +34,9 @@ struct ParticleTemplate {
     bool is_convex = false;
     DisplayMesh display_mesh;
     Certificate certificate;
+    /// What the numbers of the input are in [m], a scale included: exports that are to lie on the
+    /// input are written in it.
+    double input_unit = 1.0;
     std::variant<Sphere, SrShape, Clump> shape;
 };
 

@@ -73,8 +73,8 @@ std::size_t common_count(const VoxelImage& a, const VoxelImage& b) {
     return sum;
 }
 
-void measure_volumes(const SurfaceQuery& surface, double volume, const Vec3& moments,
-                     std::span<const Ball> balls, ClumpQuality& quality) {
+void measure_volumes(const SurfaceQuery& surface, double volume, std::span<const Ball> balls,
+                     ClumpQuality& quality) {
     Aabb box = bounding_box(surface.mesh());
     for (const Ball& ball : balls) {
         box.lower = box.lower.cwiseMin(ball.center - Vec3::Constant(ball.radius));
@@ -93,11 +93,8 @@ void measure_volumes(const SurfaceQuery& surface, double volume, const Vec3& mom
     const auto moment = [](const LatticeSums& sums, int axis) {
         return sums.squares.sum() - sums.squares[axis];
     };
-    const double cell = cube(grid.spacing);
-    for (int axis = 0; axis < 3; ++axis) {
-        quality.moment_errors[axis] =
-            cell * (moment(in_clump, axis) - moment(in_solid, axis)) / moments[axis];
-    }
+    for (int axis = 0; axis < 3; ++axis)
+        quality.moment_errors[axis] = moment(in_clump, axis) / moment(in_solid, axis) - 1.0;
 }
 
 void measure_surface(const SurfaceQuery& surface, double d_eq, std::span<const Ball> balls,
@@ -133,10 +130,9 @@ void measure_surface(const SurfaceQuery& surface, double d_eq, std::span<const B
 
 }  // namespace
 
-ClumpQuality judge(const SurfaceQuery& surface, double volume, const Vec3& moments,
-                   std::span<const Ball> balls) {
+ClumpQuality judge(const SurfaceQuery& surface, double volume, std::span<const Ball> balls) {
     ClumpQuality quality;
-    measure_volumes(surface, volume, moments, balls, quality);
+    measure_volumes(surface, volume, balls, quality);
     measure_surface(surface, equivalent_diameter(volume), balls, quality);
     return quality;
 }

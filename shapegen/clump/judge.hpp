@@ -22,9 +22,7 @@ struct ClumpQuality {
 
 /// Measures without anything the clump was made from: volumes and moments by lattice points
 /// d_eq / 300 apart, exactly inside or outside of the mesh; deviations at 100 000 points evenly
-/// spread over the surface. The solid is in its body frame; `volume` [m^3], `moments` its principal
-/// moments per density [m^5].
-ClumpQuality judge(const SurfaceQuery& surface, double volume, const Vec3& moments,
-                   std::span<const Ball> balls);
+/// spread over the surface. The solid is in its body frame and has the volume `volume` [m^3].
+ClumpQuality judge(const SurfaceQuery& surface, double volume, std::span<const Ball> balls);
 
 }  // namespace dem

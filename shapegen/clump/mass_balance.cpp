@@ -59,17 +59,13 @@ class Program {
         set_least_ratio_column();
     }
 
-    /// The masses, or nothing when the moments cannot be met within the tolerance.
-    std::optional<std::vector<double>> solve(double tolerance) {
-        const std::array<double, 4> exact{1.0, 0.0, 0.0, 0.0};
-        for (int r = 0; r < 4; ++r)
-            glp_set_row_bnds(problem_.get(), r + 1, GLP_FX, exact[static_cast<std::size_t>(r)],
-                             0.0);
+    /// The masses, or nothing when center and moments cannot be met within the tolerances.
+    std::optional<std::vector<double>> solve(double center_tolerance, double tolerance) {
+        set_row(1, 1.0, 0.0);
+        for (int r = 0; r < 3; ++r) set_row(2 + r, 0.0, center_tolerance * diameter_);
         for (int r = 0; r < 6; ++r) {
             const double wanted = r < 3 ? moments_[r] : 0.0;
-            const double slack = tolerance * (r < 3 ? wanted : moments_.mean());
-            glp_set_row_bnds(problem_.get(), r + 5, slack > 0.0 ? GLP_DB : GLP_FX, wanted - slack,
-                             wanted + slack);
+            set_row(5 + r, wanted, tolerance * (r < 3 ? wanted : moments_.mean()));
         }
         glp_smcp settings;
         glp_init_smcp(&settings);
@@ -86,6 +82,11 @@ class Program {
     }
 
   private:
+    void set_row(int row, double wanted, double slack) {
+        glp_set_row_bnds(problem_.get(), row, slack > 0.0 ? GLP_DB : GLP_FX, wanted - slack,
+                         wanted + slack);
+    }
+
     /// m_i / (even density) - x_0 >= 0 for each ball.
     void set_least_ratio_column() {
         std::vector<int> index{0};
@@ -99,36 +100,55 @@ class Program {
 
     int count_;
     std::unique_ptr<glp_prob, void (*)(glp_prob*)> problem_;
+    double diameter_ = std::cbrt(6.0 / pi);  // of the sphere of volume 1
     Vec3 moments_;
 };
+
+struct Solution {
+    double tolerance;
+    std::vector<double> masses;
+};
+
+/// The least tolerance, to one part in a thousand, for which solve(tolerance) has an answer.
+template <class Solve>
+std::optional<Solution> least_tolerance(const Solve& solve) {
+    constexpr double most = 1e3;  // beyond any size or moment
+    if (auto masses = solve(0.0)) return Solution{0.0, std::move(*masses)};
+    double low = 0.0;
+    std::optional<Solution> found;
+    for (double high = 1e-6; !found; high *= 4.0) {
+        if (high > most) return std::nullopt;
+        if (auto masses = solve(high))
+            found = Solution{high, std::move(*masses)};
+        else
+            low = high;
+    }
+    while (found->tolerance - low > 1e-3 * found->tolerance) {
+        const double middle = 0.5 * (low + found->tolerance);
+        if (auto masses = solve(middle))
+            found = Solution{middle, std::move(*masses)};
+        else
+            low = middle;
+    }
+    return found;
+}
 
 }  // namespace
 
 MassBalance balance_masses(std::span<const Ball> balls, const MassProperties& body) {
+    constexpr double any = 1e3;
     Program program(balls, body);
-    MassBalance result;
-    auto masses = program.solve(0.0);
-    double low = 0.0;
-    double high = 1e-4;
-    for (; !masses && high < 1e3; low = high, high *= 4.0) {
-        masses = program.solve(high);
-        result.tolerance = high;
-        if (masses) break;
-    }
-    if (!masses)
+    const auto center = least_tolerance([&](double t) { return program.solve(t, any); });
+    // At the very limit rounding may leave no way at all.
+    const double allowed = center ? center->tolerance * (1.0 + 1e-6) : 0.0;
+    const auto solution = least_tolerance([&](double t) { return program.solve(allowed, t); });
+    if (!center || !solution)
         throw Error("clump",
-                    "found spheres whose masses cannot have the body's center of mass, "
-                    "expected spheres on all sides of it");
-    while (result.tolerance > 0.0 && result.tolerance - low > 1e-3 * result.tolerance) {
-        const double middle = 0.5 * (low + result.tolerance);
-        if (auto tighter = program.solve(middle)) {
-            masses = std::move(tighter);
-            result.tolerance = middle;
-        } else {
-            low = middle;
-        }
-    }
-    for (const double mass : *masses) result.shares.push_back(mass * body.volume);
+                    "found no masses for its spheres, expected them by linear programming");
+    MassBalance result;
+    result.center_tolerance = allowed;
+    result.tolerance = solution->tolerance;
+    for (const double mass : solution->masses) result.shares.push_back(mass * body.volume);
     return result;
 }
 

@@ -52,6 +52,7 @@ LoadedMesh load_mesh(const std::filesystem::path& path, const MeshLoadOptions& o
         RepairedMesh repaired = repair(std::move(file.soup), repair_options);
         result.mesh = std::move(repaired.mesh);
         result.report = std::move(repaired.report);
+        result.unit = file_unit;
     } catch (const Error& error) {
         throw Error(path.string(), error.what());
     }

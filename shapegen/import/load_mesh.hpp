@@ -22,6 +22,7 @@ struct MeshLoadOptions {
 struct LoadedMesh {
     TriangleMesh mesh;
     RepairReport report;
+    double unit = 1.0;  ///< of the file's coordinates, times the scale [m]
     /// For the user: size and unit (a wrong unit shows there and nowhere else), what was repaired,
     /// what was ignored.
     std::vector<std::string> lines;

@@ -68,9 +68,9 @@ std::string lower_extension(const std::filesystem::path& path) {
     return extension;
 }
 
-void check_file(const std::filesystem::path& path, const std::string& extension) {
-    if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
-        throw Error(path.string(), "found the extension '" + extension +
+void check_file(const std::filesystem::path& path) {
+    if (!is_mesh_file(path))
+        throw Error(path.string(), "found the extension '" + lower_extension(path) +
                                        "', expected .stl, .obj, .ply, .off, .gltf or .glb");
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error))
@@ -197,9 +197,14 @@ MeshFile read(const std::filesystem::path& path, const std::string& extension) {
 
 }  // namespace
 
+bool is_mesh_file(const std::filesystem::path& path) {
+    return std::find(extensions.begin(), extensions.end(), lower_extension(path)) !=
+           extensions.end();
+}
+
 MeshFile read_mesh_file(const std::filesystem::path& path) {
     const std::string extension = lower_extension(path);
-    check_file(path, extension);
+    check_file(path);
     try {
         MeshFile file = read(path, extension);
         if (file.soup.triangles.empty())

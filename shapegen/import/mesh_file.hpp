@@ -16,6 +16,9 @@ struct MeshFile {
     std::vector<std::string> notes;  ///< what was ignored: points, lines, the reader's warnings
 };
 
+/// True for the endings of the formats below, of any case.
+bool is_mesh_file(const std::filesystem::path& path);
+
 /// Reads STL (text, binary), OBJ, PLY, OFF, glTF and GLB, by the extension; polygons are split into
 /// triangles, all objects of the file put together. Coordinates pass through single precision.
 /// Throws Error: no such file, another format, broken content, no triangles, numbers that are not

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "common/progress.hpp"
 #include "common/shapes/triangle_mesh.hpp"
 #include "shapegen/import/triangle_soup.hpp"
 #include "shapegen/repair/repair_report.hpp"
@@ -9,9 +10,6 @@
 #include <string_view>
 
 namespace dem {
-
-/// Called with the part of the work that is done, 0 to 1, and what comes next.
-using StageProgress = std::function<void(double done, std::string_view next)>;
 
 struct RepairOptions {
     double limit = 0.01;        ///< largest fraction of the volume that repairs may put at stake

@@ -4,10 +4,8 @@
 //   clump_benchmark FILE VOXELS_PER_DIAMETER GOAL ...
 // GOAL: a coverage below 1 (inscribed) or a number of spheres (fitted, protrusion 0.05 d_eq).
 #include "common/math/types.hpp"
-#include "formats/profile_file.hpp"
 #include "shapegen/clump/build_clump.hpp"
-#include "shapegen/import/load_mesh.hpp"
-#include "shapegen/revolution/display_mesh.hpp"
+#include "shapegen/pipeline/solid.hpp"
 
 #include <chrono>
 #include <cstdio>
@@ -17,31 +15,17 @@
 namespace dem {
 namespace {
 
-constexpr double revolved_tolerance = 2e-5;  // of the length of the major axis
-
-TriangleMesh load(const std::string& path) {
-    if (!path.ends_with(".profile")) {
-        MeshLoadOptions options;
-        options.repair_limit = 0.05;  // the bunny's open base
-        return load_mesh(path, options).mesh;
-    }
-    const Profile profile = read_profile(path).profile;
-    const DisplayMesh mesh =
-        display_mesh(profile, revolved_tolerance * profile.major_axis_length());
-    return {{mesh.vertices.begin(), mesh.vertices.end()},
-            {mesh.triangles.begin(), mesh.triangles.end()}};
-}
-
-void measure(const TriangleMesh& mesh, double goal, const ClumpOptions& common) {
+void measure(const Solid& solid, double goal, const ClumpOptions& common) {
     ClumpOptions options = common;
+    CoverGoal cover;
     if (goal < 1.0) {
-        options.goal.coverage = goal;
+        cover.coverage = goal;
         options.is_inscribed = true;
     } else {
-        options.goal.count = static_cast<std::size_t>(goal);
+        cover.count = static_cast<std::size_t>(goal);
     }
     const auto start = std::chrono::steady_clock::now();
-    const BuiltClump clump = build_clump(mesh, options);
+    const BuiltClump clump = ClumpMaker(solid.mesh, solid.mass_properties, options).clump(cover);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     const ClumpQuality& q = clump.quality;
     std::printf("%g,%zu,%.4f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.2f,%.4f,%.2f\n", goal,
@@ -61,12 +45,14 @@ int main(int argc, char** argv) {
         std::fputs("usage: clump_benchmark FILE VOXELS_PER_DIAMETER GOAL ...\n", stderr);
         return 2;
     }
-    const dem::TriangleMesh mesh = dem::load(argv[1]);
+    dem::MeshLoadOptions loading;
+    loading.repair_limit = 0.05;  // the bunny's open base
+    const dem::Solid solid = dem::load_solid(argv[1], loading);
     dem::ClumpOptions options;
     options.per_diameter = std::atof(argv[2]);
     options.protrusion = 0.05;
     std::puts(
         "goal,spheres,coverage %,uncovered + outside %,outside %,volume %,RMS deviation % d_eq,"
         "max in %,max out %,moment x %,moment y %,moment z %,slope RMS deg,ceiling %,s");
-    for (int i = 3; i < argc; ++i) dem::measure(mesh, std::atof(argv[i]), options);
+    for (int i = 3; i < argc; ++i) dem::measure(solid, std::atof(argv[i]), options);
 }

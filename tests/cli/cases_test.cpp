@@ -2,6 +2,9 @@
 // The cases of data/cases and of the tutorial, as a user would cook and check them.
 #include "tests/cli/program.hpp"
 
+#include <sstream>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace dem {
@@ -33,26 +36,39 @@ std::string code_blocks(const std::string& page, const std::string& language) {
     return text;
 }
 
-class Case : public testing::TestWithParam<std::string> {
-  protected:
-    static void cook(const fs::path& folder, const std::string& name) {
-        const std::string profile = DEM_SOURCE_DIR "/data/profiles/" + name + ".profile";
-        const Outcome outcome = run_command(
-            program("shapegen") + " '" + profile + "' -o " + name + ".tpl --quiet", folder);
-        ASSERT_EQ(outcome.code, 0) << outcome.errors;
+/// The lines of a case's head that cook its templates, for a folder that holds the case itself.
+std::vector<std::string> cooking_commands(const std::string& text) {
+    std::vector<std::string> commands;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const std::string start = "#   shapegen ";
+        if (!line.starts_with(start)) continue;
+        std::istringstream words(line.substr(start.size()));
+        std::string command = program("shapegen") + " -q";
+        for (std::string word; words >> word;) {
+            if (word.starts_with("data/cases/"))
+                word = word.substr(11);
+            else if (word.starts_with("data/"))
+                word = "'" DEM_SOURCE_DIR "/" + word + "'";
+            command += ' ' + word;
+        }
+        commands.push_back(command);
     }
-};
+    return commands;
+}
 
-TEST_P(Case, IsAcceptedWithTheShapesOfDataProfiles) {
+class Case : public testing::TestWithParam<std::string> {};
+
+TEST_P(Case, IsAcceptedWithTheShapesThatItsHeadCooks) {
     const fs::path folder = fresh_folder("case_" + GetParam());
     const fs::path cases = DEM_SOURCE_DIR "/data/cases";
     const std::string text = content(cases / (GetParam() + ".ini"));
     for (const auto& entry : fs::directory_iterator(cases)) {
         fs::copy_file(entry.path(), folder / entry.path().filename());
     }
-    for (const auto& entry : fs::directory_iterator(DEM_SOURCE_DIR "/data/profiles")) {
-        const std::string name = entry.path().stem().string();
-        if (text.find(name + ".tpl") != std::string::npos) cook(folder, name);
+    for (const std::string& command : cooking_commands(text)) {
+        const Outcome cooked = run_command(command, folder);
+        ASSERT_EQ(cooked.code, 0) << command << '\n' << cooked.errors;
     }
     const Outcome outcome =
         run_command(program("demrun") + " " + GetParam() + ".ini --check", folder);
@@ -62,8 +78,8 @@ TEST_P(Case, IsAcceptedWithTheShapesOfDataProfiles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Data, Case,
-                         testing::Values("chung_ooi_1", "chung_ooi_2", "chung_ooi_3", "demo",
-                                         "mixture", "packing_candies", "packing_tablets",
+                         testing::Values("chung_ooi_1", "chung_ooi_2", "chung_ooi_3", "clumps",
+                                         "demo", "mixture", "packing_candies", "packing_tablets",
                                          "rotating_drum", "spheroids", "tablet_wall"),
                          [](const auto& tested) { return tested.param; });
 
@@ -72,7 +88,7 @@ TEST(CasesFolder, EveryCaseIsTested) {
     for (const auto& entry : fs::directory_iterator(DEM_SOURCE_DIR "/data/cases")) {
         if (entry.path().extension() == ".ini") ++cases;
     }
-    EXPECT_EQ(cases, 10U) << "add new cases to the list above";
+    EXPECT_EQ(cases, 11U) << "add new cases to the list above";
 }
 
 TEST(Tutorial, WhatItSaysCooksAndChecks) {

@@ -15,6 +15,22 @@ TriangleMesh ellipsoid() {
     return sample::moved(sample::sphere(1.0, 4), axes, Vec3(3.0, -2.0, 0.5));
 }
 
+BuiltClump build_clump(const TriangleMesh& mesh, const ClumpOptions& options,
+                       const CoverGoal& goal) {
+    const MassProperties properties = mass_properties(mesh);
+    const Mat3 to_body = properties.principal_axes.toRotationMatrix().transpose();
+    TriangleMesh turned = mesh;
+    for (Vec3& p : turned.vertices) p = to_body * (p - properties.center_of_mass);
+    return ClumpMaker(std::move(turned), properties, options).clump(goal);
+}
+
+CoverGoal coverage(double share) {
+    return {share, SIZE_MAX};
+}
+CoverGoal count(std::size_t spheres) {
+    return {1.0, spheres};
+}
+
 ClumpOptions coarse() {
     ClumpOptions options;
     options.per_diameter = 30.0;
@@ -24,11 +40,9 @@ ClumpOptions coarse() {
 
 TEST(BuildClump, InscribedSpheresReachTheCoverage) {
     ClumpOptions options = coarse();
-    options.goal.coverage = 0.93;
     options.is_inscribed = true;
-    const BuiltClump clump = build_clump(ellipsoid(), options);
-    // The judge's cells are others than those of the cover.
-    EXPECT_GE(clump.quality.coverage, 0.929);
+    const BuiltClump clump = build_clump(ellipsoid(), options, coverage(0.93));
+    EXPECT_GE(clump.quality.coverage, 0.93);
     EXPECT_EQ(clump.quality.outside, 0.0);
     EXPECT_LE(clump.quality.max_deviation_out, 1e-9);
     EXPECT_GT(clump.ceiling, 0.97);
@@ -37,11 +51,10 @@ TEST(BuildClump, InscribedSpheresReachTheCoverage) {
 
 TEST(BuildClump, FitHalvesTheDeviation) {
     ClumpOptions options = coarse();
-    options.goal.count = 20;
     options.protrusion = 0.03;
-    const BuiltClump fitted = build_clump(ellipsoid(), options);
+    const BuiltClump fitted = build_clump(ellipsoid(), options, count(20));
     options.is_inscribed = true;
-    const BuiltClump inscribed = build_clump(ellipsoid(), options);
+    const BuiltClump inscribed = build_clump(ellipsoid(), options, count(20));
     ASSERT_EQ(fitted.balls.size(), 20U);
     EXPECT_LT(fitted.quality.rms_deviation, 0.6 * inscribed.quality.rms_deviation);
     EXPECT_LE(fitted.quality.max_deviation_out, options.protrusion + 1e-9);
@@ -51,12 +64,11 @@ TEST(BuildClump, FitHalvesTheDeviation) {
 
 TEST(BuildClump, IsTheSameForAnyNumberOfThreads) {
     ClumpOptions options = coarse();
-    options.goal.count = 12;
     const int threads = omp_get_max_threads();
     omp_set_num_threads(1);
-    const BuiltClump one = build_clump(ellipsoid(), options);
+    const BuiltClump one = build_clump(ellipsoid(), options, count(12));
     omp_set_num_threads(3);
-    const BuiltClump three = build_clump(ellipsoid(), options);
+    const BuiltClump three = build_clump(ellipsoid(), options, count(12));
     omp_set_num_threads(threads);
     ASSERT_EQ(one.balls.size(), three.balls.size());
     for (std::size_t i = 0; i < one.balls.size(); ++i) {
@@ -67,10 +79,9 @@ TEST(BuildClump, IsTheSameForAnyNumberOfThreads) {
 
 TEST(BuildClump, SaysTheCeilingOfWhatCannotBeReached) {
     ClumpOptions options = coarse();
-    options.goal.coverage = 0.99;
     options.min_radius = 0.2;
     try {
-        build_clump(sample::box(Vec3::Zero(), Vec3(1.0, 2.0, 3.0)), options);
+        build_clump(sample::box(Vec3::Zero(), Vec3(1.0, 2.0, 3.0)), options, coverage(0.99));
         FAIL();
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("expected at most 0."), std::string::npos);

@@ -59,7 +59,7 @@ TEST(Judge, KnowsAConcentricBall) {
     const SurfaceQuery sphere(sample::sphere(1.0, 6));
     const MassProperties body = mass_properties(sphere.mesh());
     const std::vector<Ball> inner{{Vec3::Zero(), 0.9}};
-    const ClumpQuality q = judge(sphere, body.volume, body.principal_moments_per_density, inner);
+    const ClumpQuality q = judge(sphere, body.volume, inner);
     EXPECT_NEAR(q.coverage, cube(0.9), 3e-4);
     EXPECT_EQ(q.outside, 0.0);
     EXPECT_NEAR(q.volume_ratio, cube(0.9), 3e-4);
@@ -70,7 +70,7 @@ TEST(Judge, KnowsAConcentricBall) {
         EXPECT_NEAR(q.moment_errors[axis], std::pow(0.9, 5) - 1.0, 1e-3);
     EXPECT_LT(q.slope_rms, 0.02);
     const std::vector<Ball> outer{{Vec3::Zero(), 1.1}};
-    const ClumpQuality p = judge(sphere, body.volume, body.principal_moments_per_density, outer);
+    const ClumpQuality p = judge(sphere, body.volume, outer);
     EXPECT_EQ(p.coverage, 1.0);
     EXPECT_NEAR(p.outside, cube(1.1) - 1.0, 5e-4);
 }

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapegen/clump_options.hpp"
+
+#include "common/error.hpp"
+#include "common/units.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace dem {
+
+namespace {
+
+namespace po = boost::program_options;
+using Text = po::typed_value<std::string>;
+
+constexpr std::int64_t fewest_voxels = 10;
+constexpr std::int64_t most_voxels = 500;
+
+Text* text(const char* name) {
+    return po::value<std::string>()->value_name(name);
+}
+
+bool has(const po::variables_map& values, const std::string& option) {
+    return values.count(option) != 0 && !values[option].defaulted();
+}
+
+std::optional<double> plain_number(std::string_view words) {
+    double value = 0.0;
+    const auto [end, problem] = std::from_chars(words.data(), words.data() + words.size(), value);
+    if (problem != std::errc() || end != words.data() + words.size()) return std::nullopt;
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+/// "0.95" or "95%".
+std::optional<double> fraction(std::string_view words) {
+    const bool is_percentage = words.ends_with('%');
+    if (is_percentage) words.remove_suffix(1);
+    const auto value = plain_number(words);
+    return value && is_percentage ? *value / 100.0 : value;
+}
+
+/// A fraction in an open range; `expected` completes "expected ...".
+double fraction_option(const po::variables_map& values, const std::string& option, double above,
+                       double below, const std::string& expected) {
+    const auto words = values[option].as<std::string>();
+    const auto value = fraction(words);
+    if (!value || !(*value > above && *value < below))
+        throw UsageError("--" + option, "found '" + words + "', expected " + expected);
+    return *value;
+}
+
+std::int64_t whole_number(const po::variables_map& values, const std::string& option,
+                          std::int64_t least, std::int64_t most) {
+    const auto found = values[option].as<std::int64_t>();
+    if (found < least || found > most)
+        throw UsageError("--" + option, "found " + std::to_string(found) + ", expected " +
+                                            std::to_string(least) + " to " + std::to_string(most));
+    return found;
+}
+
+ClumpGoal read_goal(const po::variables_map& values) {
+    ClumpGoal goal;
+    if (has(values, "clump"))
+        goal.coverage = fraction_option(values, "clump", 0.0, 1.0,
+                                        "a coverage above 0 and below 1 (0.95 or 95%)");
+    if (has(values, "clump-spheres"))
+        goal.count = static_cast<std::size_t>(whole_number(
+            values, "clump-spheres", 1, static_cast<std::int64_t>(Clump::most_spheres)));
+    if (has(values, "clump-error"))
+        goal.rms_deviation = fraction_option(
+            values, "clump-error", 0.0, 1.0,
+            "an RMS deviation above 0 and below 100 % of the equivalent diameter (0.5%)");
+    return goal;
+}
+
+/// A share of d_eq or a length.
+void read_min_radius(const po::variables_map& values, ClumpRequest& request) {
+    const auto words = values["min-radius"].as<std::string>();
+    if (words.ends_with('%')) {
+        request.options.min_radius =
+            fraction_option(values, "min-radius", 0.0, 0.5,
+                            "above 0 and below 50 % of the equivalent diameter, or a length");
+        return;
+    }
+    if (plain_number(words))
+        throw UsageError("--min-radius", "found '" + words +
+                                             "', expected a length with its unit (0.2 mm) or a "
+                                             "percentage of the equivalent diameter (2%)");
+    try {
+        request.min_radius = parse_quantity(words, Dimension::length);
+    } catch (const Error& error) {
+        throw UsageError("--min-radius", error.what());
+    }
+    if (!(request.min_radius > 0.0))
+        throw UsageError("--min-radius", "found '" + words + "', expected a length above 0");
+}
+
+Skeleton read_skeleton(const po::variables_map& values) {
+    const auto words = values["skeleton"].as<std::string>();
+    if (words == "surface") return Skeleton::surface;
+    if (words == "curve") return Skeleton::curve;
+    throw UsageError("--skeleton", "found '" + words + "', expected surface or curve");
+}
+
+ClumpRequest read_request(const po::variables_map& values) {
+    ClumpRequest request;
+    request.goal = read_goal(values);
+    ClumpOptions& options = request.options;
+    options.is_inscribed = values.count("inscribed") != 0;
+    if (has(values, "protrusion")) {
+        if (options.is_inscribed)
+            throw UsageError("command line",
+                             "found --inscribed and --protrusion, expected one of them");
+        options.protrusion =
+            fraction_option(values, "protrusion", -1e-300, 0.5,
+                            "0 or more and below 50 % of the equivalent diameter (1%)");
+    }
+    if (has(values, "min-radius")) read_min_radius(values, request);
+    options.skeleton = read_skeleton(values);
+    options.per_diameter =
+        static_cast<double>(whole_number(values, "resolution", fewest_voxels, most_voxels));
+    return request;
+}
+
+}  // namespace
+
+po::options_description clump_options() {
+    po::options_description options("Clumps of spheres (docs/clumps.md)");
+    options.add_options()("clump", text("C"), "spheres that cover this much of the volume: 0.95")(
+        "clump-spheres", po::value<std::int64_t>()->value_name("N"), "this many spheres")(
+        "clump-error", text("E%"),
+        "as few spheres as keep the RMS deviation of the surface below E % of the equivalent "
+        "diameter d_eq")("inscribed", "no sphere leaves the body: leaves out the fit")(
+        "protrusion", text("P%")->default_value("1%"),
+        "how far a fitted sphere may stand out, of d_eq")(
+        "min-radius", text("R"), "no smaller spheres: '0.2 mm', or '2%' of d_eq")(
+        "skeleton", text("KIND")->default_value("surface"),
+        "surface, or curve for long thin bodies: where spheres are sought first")(
+        "resolution", po::value<std::int64_t>()->default_value(60)->value_name("N"),
+        "voxels per d_eq for the skeleton; 100 for more than a few hundred spheres")(
+        "convergence", text("FILE"),
+        "also write what 1, 2, 3, 4, 6, ... spheres reach: .csv table or .svg plot");
+    return options;
+}
+
+po::options_description mesh_options() {
+    po::options_description options("Meshes (docs/mesh-import.md)");
+    options.add_options()("unit", text("UNIT"),
+                          "of the file's coordinates: m, mm, um, cm, in; default: mm, m for glTF")(
+        "scale", text("S")->default_value("1"), "multiply all lengths")(
+        "repair-limit", text("F")->default_value("1%"),
+        "largest part of the volume that repairs may put at stake")(
+        "largest", "of several bodies in a file keep the largest");
+    return options;
+}
+
+std::vector<std::string> clump_modes() {
+    return {"clump", "clump-spheres", "clump-error"};
+}
+
+std::optional<ClumpCommand> read_clump_options(const po::variables_map& values) {
+    std::string chosen;
+    for (const std::string& mode : clump_modes()) {
+        if (!has(values, mode)) continue;
+        if (!chosen.empty())
+            throw UsageError("command line",
+                             "found --" + chosen + " and --" + mode + ", expected one of them");
+        chosen = mode;
+    }
+    if (chosen.empty()) {
+        for (const char* option :
+             {"inscribed", "protrusion", "min-radius", "skeleton", "resolution", "convergence"})
+            if (has(values, option))
+                throw UsageError("--" + std::string(option),
+                                 "found it without --clump, --clump-spheres or --clump-error, "
+                                 "expected one of them");
+        return std::nullopt;
+    }
+    ClumpCommand command;
+    command.request = read_request(values);
+    if (has(values, "convergence")) {
+        command.convergence = values["convergence"].as<std::string>();
+        const std::string extension = command.convergence.extension().string();
+        if (extension != ".csv" && extension != ".svg")
+            throw UsageError("--convergence",
+                             "found the extension '" + extension + "', expected .csv or .svg");
+    }
+    return command;
+}
+
+MeshLoadOptions read_mesh_options(const po::variables_map& values) {
+    MeshLoadOptions options;
+    if (has(values, "unit")) {
+        options.unit = values["unit"].as<std::string>();
+        try {
+            unit_factor(options.unit, Dimension::length);
+        } catch (const Error& error) {
+            throw UsageError("--unit", error.what());
+        }
+    }
+    const auto scale = values["scale"].as<std::string>();
+    const auto number = plain_number(scale);
+    if (!number || !(*number > 0.0))
+        throw UsageError("--scale", "found '" + scale + "', expected a number above 0");
+    options.scale = *number;
+    options.repair_limit =
+        fraction_option(values, "repair-limit", -1e-300, 1.0, "0 or more and below 1 (0.01 or 1%)");
+    options.keep_largest = values.count("largest") != 0;
+    return options;
+}
+
+}  // namespace dem

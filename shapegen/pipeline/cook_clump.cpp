@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapegen/pipeline/cook_clump.hpp"
+
+#include "common/error.hpp"
+#include "shapegen/certificate/clump_certificate.hpp"
+#include "shapegen/clump/mass_balance.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace dem {
+
+namespace {
+
+BuiltClump build(ClumpMaker& maker, const ClumpGoal& goal) {
+    if (goal.rms_deviation > 0.0) return maker.clump_within(goal.rms_deviation);
+    CoverGoal cover;
+    if (goal.count > 0)
+        cover.count = goal.count;
+    else
+        cover.coverage = goal.coverage;
+    return maker.clump(cover);
+}
+
+double bounding_radius(const Solid& solid, std::span<const Ball> balls) {
+    double radius = 0.0;
+    for (const Vec3& p : solid.mesh.vertices) radius = std::max(radius, p.norm());
+    for (const Ball& ball : balls) radius = std::max(radius, ball.center.norm() + ball.radius);
+    return radius;
+}
+
+}  // namespace
+
+ParticleTemplate cook_clump(const Solid& solid, const ClumpRequest& request) {
+    const double d_eq = equivalent_diameter(solid.mass_properties.volume);
+    ClumpOptions options = request.options;
+    if (request.min_radius > 0.0) options.min_radius = request.min_radius / d_eq;
+    ClumpMaker maker(solid.mesh, solid.mass_properties, options);
+    const BuiltClump clump = build(maker, request.goal);
+    const MassBalance masses = balance_masses(clump.balls, solid.mass_properties);
+
+    ParticleTemplate shape;
+    shape.name = solid.name;
+    shape.mass_properties = solid.mass_properties;
+    shape.mean_squared_surface_distance = solid.mean_squared_surface_distance;
+    shape.bounding_radius = bounding_radius(solid, clump.balls);
+    shape.is_convex = solid.is_convex;
+    shape.display_mesh = solid.display_mesh;
+    shape.input_unit = solid.unit;
+    shape.certificate = clump_certificate(clump, masses, solid.display_mesh.max_deviation / d_eq);
+    std::vector<ClumpSphere> spheres;
+    for (std::size_t i = 0; i < clump.balls.size(); ++i) {
+        const Vec3& c = clump.balls[i].center;
+        spheres.push_back({c.x(), c.y(), c.z(), clump.balls[i].radius, masses.shares[i]});
+    }
+    shape.shape = make_clump(std::move(spheres));
+    return shape;
+}
+
+}  // namespace dem

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "common/shapes/particle_template.hpp"
+#include "shapegen/clump/build_clump.hpp"
+#include "shapegen/pipeline/solid.hpp"
+
+namespace dem {
+
+/// What a clump is made for; one of the three.
+struct ClumpGoal {
+    double coverage = 1.0;
+    std::size_t count = 0;
+    double rms_deviation = 0.0;  ///< [d_eq]
+};
+
+struct ClumpRequest {
+    ClumpGoal goal;
+    ClumpOptions options;
+    double min_radius = 0.0;  ///< [m], when it is not given in d_eq
+};
+
+/// The template of a clump that stands for a solid: the solid's mass properties, exactly; spheres
+/// whose shares of the mass have them too, as far as its certificate says; a bounding radius that
+/// holds the solid and every sphere. Throws Error where no clump does what was asked.
+ParticleTemplate cook_clump(const Solid& solid, const ClumpRequest& request);
+
+}  // namespace dem

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "common/shapes/particle_template.hpp"
+#include "common/shapes/triangle_mesh.hpp"
+#include "shapegen/import/load_mesh.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace dem {
+
+/// A body that another shape is to stand for, from a mesh or a profile.
+struct Solid {
+    std::string name;
+    std::uint64_t hash = 0;          ///< FNV-1a of the file's bytes
+    double unit = 1.0;               ///< of the file's numbers, times the scale [m]
+    std::vector<std::string> lines;  ///< for the user: size, unit, repairs
+
+    TriangleMesh mesh;  ///< body frame
+    MassProperties mass_properties;
+    double mean_squared_surface_distance = 0.0;  ///< [m^2]
+    bool is_convex = false;
+    DisplayMesh display_mesh;  ///< body frame
+};
+
+/// Reads a mesh or a profile. A mesh is repaired; a profile is revolved to a mesh that leaves its
+/// surface by 2e-5 of the length of its major axis, all properties but the mesh being those of the
+/// profile itself. Throws Error that begins with the path.
+/// `options` are for meshes: a profile says its unit itself.
+Solid load_solid(const std::filesystem::path& path, const MeshLoadOptions& options);
+
+}  // namespace dem

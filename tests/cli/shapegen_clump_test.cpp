@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `shapegen MESH|PROFILE --clump ...` as a user types it.
+#include "formats/template_reader.hpp"
+#include "tests/cli/program.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace dem {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string candy = "'" DEM_SOURCE_DIR "/data/profiles/candy.profile'";
+const std::string coarse = " --resolution 20";
+
+/// An OFF file of boxes, each with a corner and a size; a negative size along x is inside out.
+std::string boxes(const std::vector<std::pair<Vec3, Vec3>>& all) {
+    std::ostringstream points;
+    std::ostringstream faces;
+    points.precision(17);
+    int first = 0;
+    for (const auto& [corner, size] : all) {
+        for (int k = 0; k < 8; ++k)
+            points << corner.x() + (k & 1) * size.x() << ' ' << corner.y() + (k >> 1 & 1) * size.y()
+                   << ' ' << corner.z() + (k >> 2) * size.z() << '\n';
+        constexpr int corners[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6},
+                                        {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
+                                        {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+        for (const auto& [a, b, c] : corners)
+            faces << "3 " << first + a << ' ' << first + b << ' ' << first + c << '\n';
+        first += 8;
+    }
+    return "OFF\n" + std::to_string(first) + ' ' + std::to_string(12 * all.size()) + " 0\n" +
+           points.str() + faces.str();
+}
+
+std::string box(const Vec3& corner = Vec3(10.0, -20.0, 5.0)) {
+    return boxes({{corner, Vec3(2.0, 3.0, 4.0)}});
+}
+
+class ShapegenClump : public testing::Test {
+  protected:
+    void SetUp() override {
+        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::path(testing::TempDir()) / ("clump_" + std::string(info->name()));
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name) << text;
+    }
+    Outcome run(const std::string& arguments, const std::string& before = "") const {
+        return run_command(before + program("shapegen") + " " + arguments, folder_);
+    }
+    /// Cooks quietly, which must work.
+    ParticleTemplate cook(const std::string& arguments, const std::string& before = "") const {
+        const Outcome outcome = run(arguments + " -q -o out.tpl", before);
+        EXPECT_EQ(outcome.code, 0) << outcome.errors;
+        EXPECT_EQ(outcome.output + outcome.errors, "");
+        return read_template(folder_ / "out.tpl").shapes.at(0);
+    }
+    void expect_failure(const std::string& arguments, int code, const std::string& words) const {
+        const Outcome outcome = run(arguments + " -q -o out.tpl");
+        EXPECT_EQ(outcome.code, code) << arguments;
+        EXPECT_EQ(outcome.errors.rfind("shapegen: error: ", 0), 0U) << outcome.errors;
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1)
+            << outcome.errors;
+        EXPECT_NE(outcome.errors.find(words), std::string::npos) << outcome.errors;
+        EXPECT_FALSE(fs::exists(folder_ / "out.tpl"));
+    }
+
+    fs::path folder_;
+};
+
+double entry(const ParticleTemplate& shape, const std::string& name) {
+    for (const auto& [key, value] : shape.certificate)
+        if (key == name) return value;
+    ADD_FAILURE() << "no " << name;
+    return NAN;
+}
+
+TEST_F(ShapegenClump, KeepsTheMassAndTheFrameOfTheMesh) {
+    write("box.off", box());
+    const ParticleTemplate shape = cook("box.off --clump-spheres 30 --unit mm" + coarse);
+    const auto& clump = std::get<Clump>(shape.shape);
+    ASSERT_EQ(clump.spheres.size(), 30U);
+    const MassProperties& mass = shape.mass_properties;
+    EXPECT_NEAR(mass.volume, 24e-9, 1e-17);
+    EXPECT_LT((mass.center_of_mass - Vec3(11e-3, -18.5e-3, 7e-3)).norm(), 1e-12);
+    EXPECT_EQ(shape.input_unit, 1e-3);
+    EXPECT_TRUE(shape.is_convex);
+    // About the body axes, which are those of the box in some order, spheres must stay inside but
+    // for the protrusion, and their masses add up to the box's volume and center.
+    const double protrusion = 0.01 * equivalent_diameter(mass.volume);
+    double volume = 0.0;
+    Vec3 center = Vec3::Zero();
+    for (const ClumpSphere& s : clump.spheres) {
+        const Vec3 in_input = mass.center_of_mass + mass.principal_axes * s.center();
+        const Vec3 offset = (in_input - Vec3(11e-3, -18.5e-3, 7e-3)).cwiseAbs();
+        const Vec3 room = Vec3(1e-3, 1.5e-3, 2e-3) - offset - Vec3::Constant(s.radius);
+        EXPECT_GT(room.minCoeff(), -1.001 * protrusion);
+        volume += s.volume_share;
+        center += s.volume_share * s.center();
+    }
+    EXPECT_NEAR(volume, mass.volume, 1e-9 * mass.volume);
+    EXPECT_LT(center.norm(), 1e-9 * mass.volume * shape.bounding_radius);
+}
+
+TEST_F(ShapegenClump, ReachesTheCoverageWithInscribedSpheres) {
+    const ParticleTemplate shape = cook(candy + " --clump 85% --inscribed" + coarse);
+    EXPECT_GE(entry(shape, "coverage"), 0.85);
+    EXPECT_EQ(entry(shape, "outside"), 0.0);
+    EXPECT_LT(entry(shape, "max_deviation_out"), 1e-9);
+    EXPECT_LT(std::get<Clump>(shape.shape).spheres.size(), 25U);
+}
+
+TEST_F(ShapegenClump, ReachesTheErrorWithFewSpheres) {
+    write("box.off", box());
+    const ParticleTemplate shape = cook("box.off --clump-error 6%" + coarse);
+    EXPECT_LE(entry(shape, "rms_deviation"), 0.06);
+    EXPECT_GT(entry(shape, "rms_deviation"), 0.04);
+    EXPECT_LT(std::get<Clump>(shape.shape).spheres.size(), 16U);
+}
+
+TEST_F(ShapegenClump, GivesTheSameSpheresForAnyNumberOfThreads) {
+    cook(candy + " --clump-spheres 12" + coarse, "OMP_NUM_THREADS=1 ");
+    const std::string first = content(folder_ / "out.tpl");
+    cook(candy + " --clump-spheres 12" + coarse, "OMP_NUM_THREADS=3 ");
+    EXPECT_EQ(content(folder_ / "out.tpl"), first);
+}
+
+TEST_F(ShapegenClump, ShowsItsCertificate) {
+    write("box.off", box());
+    const Outcome cooked = run("box.off --clump-spheres 1" + coarse);
+    EXPECT_EQ(cooked.code, 0) << cooked.errors;
+    for (const char* word : {"12 triangles, 2 x 3 x 4 mm (assumed", "spheres           1\n",
+                             "rms_deviation", "moment_errors_z", "box.tpl: "})
+        EXPECT_NE(cooked.output.find(word), std::string::npos) << word << " in\n" << cooked.output;
+    const auto json = nlohmann::json::parse(run("inspect box.tpl --json").output);
+    const auto& shape = json["shapes"][0];
+    EXPECT_EQ(shape["kind"], "clump");
+    EXPECT_EQ(shape["counts"]["spheres"], 1);
+    const auto& certificate = shape["certificate"];
+    for (const char* name : {"coverage", "volume_ratio", "rms_deviation", "max_deviation_in",
+                             "max_deviation_out", "slope_rms", "ceiling"})
+        EXPECT_TRUE(certificate[name].is_number()) << name;
+    EXPECT_EQ(certificate["moment_errors"].size(), 3U);
+    // The largest ball in a box: of radius 1 in a volume of 24.
+    EXPECT_NEAR(certificate["coverage"].get<double>(), 4.0 * pi / 3.0 / 24.0, 0.03);
+}
+
+TEST_F(ShapegenClump, RefusesAWrongCommandLine) {
+    write("box.off", box());
+    for (const char* value : {"1.5", "1", "0", "-0.5", "much", "101%", "nan"})
+        expect_failure("box.off --clump " + std::string(value), 2, "above 0 and below 1");
+    expect_failure("box.off --clump-spheres 0", 2, "found 0, expected 1 to 65535");
+    expect_failure("box.off --clump-spheres 65536", 2, "expected 1 to 65535");
+    expect_failure("box.off --clump-error 0", 2, "RMS deviation above 0");
+    expect_failure("box.off --clump 0.9 --clump-spheres 5", 2, "expected one of them");
+    expect_failure("box.off", 2, "found a mesh without a mode");
+    expect_failure("box.off --inscribed", 2, "without --clump");
+    expect_failure(candy + " --resolution 30", 2, "without --clump");
+    expect_failure("box.off --clump 0.9 --inscribed --protrusion 1%", 2, "one of them");
+    expect_failure("box.off --clump 0.9 --protrusion 60%", 2, "below 50 %");
+    expect_failure("box.off --clump 0.9 --min-radius 3", 2, "a length with its unit");
+    expect_failure("box.off --clump 0.9 --min-radius '3 kg'", 2, "kg");
+    expect_failure("box.off --clump 0.9 --skeleton surfaces", 2, "surface or curve");
+    expect_failure("box.off --clump 0.9 --resolution 5", 2, "expected 10 to 500");
+    expect_failure("box.off --clump 0.9 --unit parsec", 2, "parsec");
+    expect_failure("box.off --clump 0.9 --scale 0", 2, "a number above 0");
+    expect_failure("box.off --clump 0.9 --repair-limit 2", 2, "below 1");
+    expect_failure("box.off --clump 0.9 --nodes 500", 2, "with --sr only");
+    expect_failure(candy + " --clump 0.9 --sr", 2, "expected one of them");
+    expect_failure(candy + " --clump 0.9 --unit mm", 2, "expected it with a mesh");
+    expect_failure("box.off --clump 0.9 --convergence table.pdf", 2, ".csv or .svg");
+}
+
+TEST_F(ShapegenClump, RefusesWhatIsNoBody) {
+    const std::string mode = " --clump-spheres 5" + coarse;
+    write("empty.off", "");
+    expect_failure("empty.off" + mode, 1, "an empty file");
+    write("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    expect_failure("triangle.off" + mode, 1, "triangle.off");
+    write("sheet.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
+    expect_failure("sheet.off" + mode, 1, "sheet.off");
+    write("nan.off",
+          "OFF\n4 4 0\n0 0 0\nnan 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+    expect_failure("nan.off" + mode, 1, "nan.off");
+    expect_failure("none.stl" + mode, 1, "no such file");
+}
+
+TEST_F(ShapegenClump, RefusesTwoBodiesUnlessTheLargestIsWanted) {
+    write("two.off", boxes({{Vec3::Zero(), Vec3::Ones()}, {Vec3(3, 0, 0), Vec3(1, 1, 2)}}));
+    expect_failure("two.off --clump-spheres 5" + coarse, 1, "--largest");
+    const ParticleTemplate shape = cook("two.off --clump-spheres 5 --largest" + coarse);
+    EXPECT_NEAR(shape.mass_properties.volume, 2e-9, 1e-18);
+}
+
+TEST_F(ShapegenClump, TakesAnInnerShellForAHollowAndTurnsWhatIsInsideOut) {
+    write("hollow.off", boxes({{Vec3::Zero(), Vec3(4, 4, 4)}, {Vec3(3, 1, 1), Vec3(-2, 2, 2)}}));
+    const ParticleTemplate hollow = cook("hollow.off --clump-spheres 20" + coarse);
+    EXPECT_NEAR(hollow.mass_properties.volume, 56e-9, 1e-17);
+    EXPECT_FALSE(hollow.is_convex);
+    for (const ClumpSphere& s : std::get<Clump>(hollow.shape).spheres)
+        EXPECT_GT(s.center().cwiseAbs().maxCoeff(), 1e-3);
+    write("inverted.off", boxes({{Vec3::Zero(), Vec3(-1, 1, 1)}}));
+    EXPECT_NEAR(cook("inverted.off --clump-spheres 2" + coarse).mass_properties.volume, 1e-9,
+                1e-18);
+}
+
+TEST_F(ShapegenClump, DoesNotDependOnTheSizeOfTheBody) {
+    write("box.off", box(Vec3::Zero()));
+    const std::string mode = "box.off --clump-spheres 3 --unit m" + coarse + " --scale ";
+    const ParticleTemplate small = cook(mode + "1e-9");
+    const ParticleTemplate large = cook(mode + "1e9");
+    EXPECT_NEAR(small.mass_properties.volume / 24e-27, 1.0, 1e-9);
+    EXPECT_NEAR(large.mass_properties.volume / 24e27, 1.0, 1e-9);
+    EXPECT_NEAR(entry(small, "coverage"), entry(large, "coverage"), 1e-4);
+}
+
+TEST_F(ShapegenClump, SaysWhatCanBeReachedWhereTheGoalCannot) {
+    write("box.off", box());
+    expect_failure("box.off --clump 0.95 --min-radius 20%" + coarse, 1, "expected at most 0.");
+    expect_failure("box.off --clump 0.95 --min-radius '0.8 mm'" + coarse, 1, "the best clump has");
+    expect_failure("box.off --clump 0.95 --min-radius '1.1 mm'" + coarse, 1,
+                   "smaller --min-radius");
+}
+
+TEST_F(ShapegenClump, CooksADiscAThousandTimesWiderThanThick) {
+    write("disc.off", boxes({{Vec3::Zero(), Vec3(1000, 1000, 1)}}));
+    const ParticleTemplate disc = cook("disc.off --clump-spheres 5" + coarse);
+    EXPECT_NEAR(disc.mass_properties.volume, 1e-3, 1e-12);
+    for (const ClumpSphere& s : std::get<Clump>(disc.shape).spheres) EXPECT_GT(s.radius, 0.4e-3);
+}
+
+}  // namespace
+}  // namespace dem
