@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/template_summary.hpp"
 
+#include "formats/certificate_text.hpp"
 #include "formats/template_header.hpp"
 
 #include <algorithm>
@@ -103,11 +104,15 @@ std::string text_of(const ParticleTemplate& shape) {
     const Counts n = counts(shape);
     std::string text =
         shape.name + ": " + kind_name(shape) + (shape.is_convex ? ", convex\n" : ", not convex\n");
-    text += format("  volume            %.9g m^3 (sphere of equal volume: %.6g mm)\n", mass.volume,
-                   1e3 * equivalent_diameter(mass.volume));
-    text +=
-        format("  center of mass    %.6g %.6g %.6g m, in the input's frame\n", c.x(), c.y(), c.z());
-    text += format("  principal moments %.9g %.9g %.9g m^5, times the density\n", moments.x(),
+    text += format("  volume            %.7g mm^3 (sphere of equal volume: %.6g mm)\n",
+                   1e9 * mass.volume, 1e3 * equivalent_diameter(mass.volume));
+    // What rounding leaves of a zero is shown as zero; --json has every digit.
+    const auto shown = [&](double x) {
+        return std::abs(x) < 1e-12 * shape.bounding_radius ? 0.0 : 1e3 * x;
+    };
+    text += format("  center of mass    %.6g %.6g %.6g mm, in the input's frame\n", shown(c.x()),
+                   shown(c.y()), shown(c.z()));
+    text += format("  principal moments %.7g %.7g %.7g m^5, times the density\n", moments.x(),
                    moments.y(), moments.z());
     text += format("  bounding radius   %.6g mm\n", 1e3 * shape.bounding_radius);
     if (std::holds_alternative<Clump>(shape.shape))
@@ -115,10 +120,13 @@ std::string text_of(const ParticleTemplate& shape) {
     if (n.nodes > 0) text += format("  surface nodes     %" PRIu64 "\n", n.nodes);
     if (n.cells > 0) text += format("  distance cells    %" PRIu64 "\n", n.cells);
     if (n.triangles > 0) text += format("  display triangles %" PRIu64 "\n", n.triangles);
-    if (!shape.certificate.empty()) text += "  certificate\n";
-    for (const auto& [name, value] : shape.certificate) {
-        text += format("    %-36s %.6g\n", name.c_str(), value);
+    if (!shape.certificate.empty()) {
+        text += std::holds_alternative<SrShape>(shape.shape)
+                    ? "  measured errors   (l: major axis; names and every digit: --json)\n"
+                    : "  measured errors   (d_eq: diameter of the sphere of equal volume; names "
+                      "and every digit: --json)\n";
     }
+    for (const auto& [name, value] : shape.certificate) text += certificate_line(name, value);
     return text;
 }
 

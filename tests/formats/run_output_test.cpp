@@ -77,8 +77,14 @@ TEST(TemplateSummary, TheJsonHoldsEveryShapeWithItsNumbersUnrounded) {
 
 TEST(TemplateSummary, TheTextShowsEveryShapeOfASmallFileAndTheRangeOfALibrary) {
     TemplateFile file = sample::file();
+    file.shapes[1].mass_properties.center_of_mass = Vec3(1e-4, -2e-4, 3e-20);
+    EXPECT_NE(template_text(file).find("0.1 -0.2 0 mm"), std::string::npos) << template_text(file);
     EXPECT_NE(template_text(file).find("sr ball: sr, convex\n"), std::string::npos);
-    EXPECT_NE(template_text(file).find("volume_error"), std::string::npos);
+    // A known error is explained, an unknown one shown by its name.
+    EXPECT_NE(template_text(file).find("volume against an independent integration"),
+              std::string::npos);
+    EXPECT_NE(template_text(file).find("20       nodes\n"), std::string::npos)
+        << template_text(file);
     for (int i = 0; i < 20; ++i) {
         file.shapes.push_back(sample::sphere(1e-3 * (2 + i), "s" + std::to_string(i)));
     }

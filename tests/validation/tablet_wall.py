@@ -124,12 +124,24 @@ make the material stiffer.""")
 contact, `damping_mass = contact` and `radius = onset` (the defaults) unless the row says otherwise:""")
     page.table(["run", "velocity, mean", "velocity, worst", "spin, mean", "spin, worst"],
                [[label, *(f"{d:.3f}" for d in deviation[label])] for label in runs])
-    for label, mean, worst in (("sharp, radius = equivalent", 0.4, 1.0), ("sharp", 0.6, 1.2),
-                               ("sharp, 10 times stiffer", 0.25, 0.5), ("sharp, 100 times stiffer", 0.1, 0.2)):
+    page.text("""The aim is 0.4 % on average and 1 % at worst. The default misses it by what a real contact time costs at the sharp edge, where
+R* is 50 times smaller than the equivalent radius and the contact 2.2 times longer; `radius = equivalent`, the papers' choice, meets it:""")
+
+    def within(label, mean, worst):
         d = deviation[label]
-        page.claim(f"{label}: velocity and spin within {mean:g} % on average ({d[0]:.3f}, {d[2]:.3f}) and "
-                   f"{worst:g} % at worst ({d[1]:.3f}, {d[3]:.3f})",
-                   max(d[0], d[2]) <= mean and max(d[1], d[3]) <= worst)
+        statement = (f"{label}: velocity and spin within {mean:g} % on average ({d[0]:.3f}, {d[2]:.3f}) and "
+                     f"{worst:g} % at worst ({d[1]:.3f}, {d[3]:.3f})")
+        return statement, max(d[0], d[2]) <= mean and max(d[1], d[3]) <= worst
+
+    page.claim(*within("sharp, radius = equivalent", 0.4, 1.0))
+    page.claim(*within("rounded, radius = equivalent", 0.4, 1.0))
+    page.shortfall(*within("sharp", 0.4, 1.0))
+    page.shortfall(*within("rounded", 0.4, 1.0))
+    page.claim(*within("sharp", 0.6, 1.2))
+    page.claim(*within("rounded", 0.5, 1.0))
+    page.claim(*within("sharp, contact = nodes (6000)", 0.6, 1.2))
+    page.claim(*within("sharp, 10 times stiffer", 0.25, 0.5))
+    page.claim(*within("sharp, 100 times stiffer", 0.1, 0.2))
     page.lines.append("")
 
     figure, axes = plt.subplots(1, 2, figsize=(9.5, 4))
@@ -137,14 +149,15 @@ contact, `damping_mass = contact` and `radius = onset` (the defaults) unless the
     velocity, spin = sharp.closed_form(fine)
     axes[0].plot(np.degrees(fine), -velocity / SPEED, "k-", lw=1, label="closed form, sharp")
     axes[1].plot(np.degrees(fine), spin * BAND_RADIUS / SPEED, "k-", lw=1, label="closed form, sharp")
-    for marker, label in zip("o^sx", ("sharp", "rounded", "sharp, contact = nodes (6000)",
-                                      "sharp, damping_mass = reduced (paper)")):
+    for marker, size, label in (("s", 8, "sharp, contact = nodes (6000)"), ("o", 5, "sharp"), ("^", 3, "rounded"),
+                                ("x", 5, "sharp, damping_mass = reduced (paper)")):
         v, w = results[label]
-        axes[0].plot(np.degrees(ANGLES), -v / SPEED, marker, ms=4, mfc="none", label=label)
-        axes[1].plot(np.degrees(ANGLES), w * BAND_RADIUS / SPEED, marker, ms=4, mfc="none", label=label)
+        axes[0].plot(np.degrees(ANGLES), -v / SPEED, marker, ms=size, mfc="none", label=label)
+        axes[1].plot(np.degrees(ANGLES), w * BAND_RADIUS / SPEED, marker, ms=size, mfc="none", label=label)
     axes[0].set(xlabel="tilt of the axis [deg]", ylabel="velocity after / before")
     axes[1].set(xlabel="tilt of the axis [deg]", ylabel="spin after x band radius / speed before")
-    axes[0].legend(fontsize=7)
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="lower center", ncols=3, fontsize=8, frameon=False)
+    figure.subplots_adjust(bottom=0.25, wspace=0.25)
     page.plot(figure, "", "Velocity and spin after the impact against the tilt of the tablet's axis")
 
     page.text("Every angle, sharp edge, `radius = equivalent`:")

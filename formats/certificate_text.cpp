@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "formats/certificate_text.hpp"
+
+#include <array>
+#include <cstdio>
+#include <string_view>
+
+namespace dem {
+
+namespace {
+
+struct Entry {
+    std::string_view name;
+    const char* unit;
+    const char* meaning;
+};
+
+/// l is the major axis of the shape, d_eq the diameter of the sphere of equal volume.
+constexpr std::array entries = {
+    Entry{"sdf_error_mean", "l", "distance field against exact distances near the surface, mean"},
+    Entry{"sdf_error_rms", "l", "  the same, root mean square"},
+    Entry{"sdf_error_max", "l", "  the same, largest"},
+    Entry{"sdf_gradient_angle_rms", "deg", "direction of its gradient, root mean square"},
+    Entry{"sdf_gradient_angle_max", "deg",
+          "  the same, largest (large only in cells that hold an edge)"},
+    Entry{"support_error_max", "l", "support points against the profile's"},
+    Entry{"curvature_error_max", "", "curvature between the samples of its table, relative"},
+    Entry{"node_spacing_mean", "l", "distance of a surface node from its nearest neighbour, mean"},
+    Entry{"node_spacing_max", "l", "  the same, largest"},
+    Entry{"node_surface_error_max", "l", "surface spanned by the nodes"},
+    Entry{"display_mesh_error_max", "l", "surface shown in pictures"},
+    Entry{"volume_error", "", "volume against an independent integration, relative"},
+    Entry{"coverage", "", "part of the volume inside the spheres"},
+    Entry{"ceiling", "", "  the largest part that the candidate spheres could cover"},
+    Entry{"volume_ratio", "", "volume of the union of the spheres over that of the shape"},
+    Entry{"rms_deviation", "d_eq",
+          "surface of the spheres against that of the shape, root mean square"},
+    Entry{"max_deviation_in", "d_eq", "  the same, deepest below the surface"},
+    Entry{"max_deviation_out", "d_eq", "  the same, furthest outside"},
+    Entry{"slope_rms", "deg", "direction of the surface, root mean square"},
+    Entry{"moment_errors", "", "principal moments of the union of the spheres, relative, largest"},
+};
+
+}  // namespace
+
+std::string certificate_line(const std::string& name, double value) {
+    const Entry* found = nullptr;
+    for (const Entry& entry : entries) {
+        if (entry.name == name) found = &entry;
+    }
+    std::array<char, 64> number{};
+    std::snprintf(number.data(), number.size(), "%10.3g %-4s", value, found ? found->unit : "");
+    return "    " + std::string(number.data()) + "  " + (found ? found->meaning : name) + "\n";
+}
+
+}  // namespace dem
