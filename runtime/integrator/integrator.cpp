@@ -47,8 +47,7 @@ void drift(Particles& particles, std::span<const BodyKind> kinds,
         const Vec3& m = kinds[p.kind[i]].inverse_inertia.moments;
         double speed = p.velocity[i].norm();
         const double radius = bounding_radius[p.kind[i]];
-        if (radius > 0.0)
-            speed += radius * largest_spin(p.orientation[i], p.angular_momentum[i], m);
+        if (radius > 0.0) speed += radius * largest_spin(p.angular_momentum[i], m);
         p.travel[i] += speed * dt;
         p.position[i] += dt * p.velocity[i];
         p.orientation[i] = rotated(p.orientation[i], p.angular_momentum[i], m, dt);

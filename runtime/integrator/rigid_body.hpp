@@ -14,18 +14,10 @@ inline Quat rotation(const Vec3& turn) {
     const double x2 = 0.25 * turn.squaredNorm();  // half angle squared
     double cosine = 0.0;
     double sine_ratio = 0.0;  // sin(x)/x
-    if (x2 < 1e-2) {
-        // Taylor, next terms below 1e-18 of the sums.
-        sine_ratio =
-            1.0 -
-            x2 / 6.0 *
-                (1.0 - x2 / 20.0 * (1.0 - x2 / 42.0 * (1.0 - x2 / 72.0 * (1.0 - x2 / 110.0))));
-        cosine =
-            1.0 -
-            x2 / 2.0 *
-                (1.0 - x2 / 12.0 *
-                           (1.0 - x2 / 30.0 *
-                                      (1.0 - x2 / 56.0 * (1.0 - x2 / 90.0 * (1.0 - x2 / 132.0)))));
+    if (x2 < 1e-6) {
+        // Taylor, next terms below 1e-19 of the sums: a step turns a body by less than this.
+        sine_ratio = 1.0 - x2 * (1.0 / 6.0 - x2 * (1.0 / 120.0));
+        cosine = 1.0 - x2 * (1.0 / 2.0 - x2 * (1.0 / 24.0));
     } else {
         const double x = std::sqrt(x2);
         cosine = std::cos(x);
@@ -54,6 +46,15 @@ inline Quat renormalized(const Quat& q) {
     return {scale * q.w(), scale * q.x(), scale * q.y(), scale * q.z()};
 }
 
+/// q followed by a turn [rad] about body z.
+inline Quat turned_about_own_axis(const Quat& q, double turn) {
+    const Quat own = rotation({0.0, 0.0, turn});
+    const double c = own.w();
+    const double s = own.z();
+    return {q.w() * c - q.z() * s, q.x() * c + q.y() * s, q.y() * c - q.x() * s,
+            q.z() * c + q.w() * s};
+}
+
 /// Orientation after free motion with constant L over dt [s].
 /// A sphere turns about L. A body of revolution turns exactly about L at L/I_x and about its own
 /// axis with the rest of its spin: the closed form of the symmetric top, right for any dt. Three
@@ -64,9 +65,8 @@ inline Quat rotated(const Quat& q, const Vec3& L, const Vec3& inverse_moments, d
     if (m.x() == m.y()) {
         const Quat precession = rotation(dt * m.x() * L);
         if (m.x() == m.z()) return renormalized(precession * q);
-        const Vec3 axis = body_axis(q);
-        const double own_spin = (m.z() - m.x()) * L.dot(axis);
-        return renormalized(precession * q * rotation({0.0, 0.0, dt * own_spin}));
+        const double own_spin = (m.z() - m.x()) * L.dot(body_axis(q));
+        return renormalized(precession * turned_about_own_axis(q, dt * own_spin));
     }
     Vec3 omega = angular_velocity(q, L, m);
     for (int iteration = 0; iteration < 20; ++iteration) {
@@ -78,12 +78,9 @@ inline Quat rotated(const Quat& q, const Vec3& L, const Vec3& inverse_moments, d
     return renormalized(rotation(dt * omega) * q);
 }
 
-/// Upper bound of |omega| during free motion with constant L [rad/s]; exact but for bodies with
-/// three different moments.
-inline double largest_spin(const Quat& q, const Vec3& L, const Vec3& inverse_moments) {
-    const Vec3& m = inverse_moments;
-    if (m.x() == m.y()) return angular_velocity(q, L, m).norm();
-    return m.maxCoeff() * L.norm();
+/// Upper bound of |omega| during free motion with constant L, whatever the orientation [rad/s].
+inline double largest_spin(const Vec3& L, const Vec3& inverse_moments) {
+    return inverse_moments.maxCoeff() * L.norm();
 }
 
 /// Kinetic energy of the rotation [J].

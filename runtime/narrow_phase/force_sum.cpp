@@ -7,7 +7,7 @@ namespace {
 constexpr std::uint32_t parallel_threshold = 500;
 }
 
-void sum_forces(Particles& particles, const NeighborLists& lists, const Scene& scene,
+void sum_forces(Particles& particles, NeighborLists& lists, const Scene& scene,
                 EnergyLedger& ledger) {
     particles.force.swap(particles.old_force);
     particles.torque.swap(particles.old_torque);
@@ -18,8 +18,8 @@ void sum_forces(Particles& particles, const NeighborLists& lists, const Scene& s
         Vec3 torque = Vec3::Zero();
         double dissipated = 0.0;
         double wall_work = 0.0;
-        for (const Adjacency::Entry entry : lists.adjacency.of(i)) {
-            if (lists.touching[entry.result] == 0) continue;
+        for (const Adjacency::Entry entry :
+             lists.touching_entries.of(i, lists.adjacency, lists.touching)) {
             const PairResult& pair = lists.results[entry.result];
             if (entry.is_j != 0) {
                 force -= pair.force;

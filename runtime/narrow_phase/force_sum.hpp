@@ -21,7 +21,7 @@ struct EnergyLedger {
 
 /// Force and torque on every particle: its contacts in the order of the adjacency, then its weight.
 /// What they were goes to old_force and old_torque.
-void sum_forces(Particles& particles, const NeighborLists& lists, const Scene& scene,
+void sum_forces(Particles& particles, NeighborLists& lists, const Scene& scene,
                 EnergyLedger& ledger);
 
 }  // namespace dem

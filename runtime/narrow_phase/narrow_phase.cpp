@@ -168,9 +168,19 @@ void compute_list(List& list, NeighborLists& lists, const Partner& partner, doub
         if (worker.largest.relative > largest.relative) largest = worker.largest;
     }
     // Threads took rising parts of the list, so this is the order of the list for any number.
+    const auto mark = [&](const IdPair& ids) {
+        lists.touching_entries.changed[ids.i] = 1;
+        if constexpr (!Partner::is_wall) lists.touching_entries.changed[ids.j] = 1;
+    };
     for (auto& changes : list.changes) {
-        for (const std::uint32_t pair : changes.ended) list.drop_history(pair);
-        for (const auto& contact : changes.begun) list.add_history(contact.pair, contact.history);
+        for (const std::uint32_t pair : changes.ended) {
+            list.drop_history(pair);
+            mark(list.ids[pair]);
+        }
+        for (const auto& contact : changes.begun) {
+            list.add_history(contact.pair, contact.history);
+            mark(list.ids[contact.pair]);
+        }
         changes.begun.clear();
         changes.ended.clear();
     }

@@ -160,6 +160,7 @@ void rebuild(NeighborLists& lists, const Bodies& bodies, const BodyAabbs& aabbs,
         lists.touching, first_result);
     lists.adjacency =
         transposed(bodies.particles.size(), pairs, pair_result, wall_pairs, wall_result);
+    lists.touching_entries.reset(lists.adjacency);
 
     lists.results.resize(total);
     lists.touching.assign(total, 0);
@@ -197,6 +198,7 @@ void index_contacts(NeighborLists& lists, std::uint32_t particles) {
     const Contacts pairs = std::apply(collected, lists.pairs);
     const Contacts walls = std::apply(collected, lists.walls);
     lists.adjacency = transposed(particles, pairs.ids, pairs.results, walls.ids, walls.results);
+    lists.touching_entries.reset(lists.adjacency);
 }
 
 }  // namespace dem

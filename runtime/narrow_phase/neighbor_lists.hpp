@@ -37,12 +37,44 @@ struct Adjacency {
     }
 };
 
+/// The entries of an adjacency whose pairs touch, in the same order, kept from step to step: few
+/// contacts begin or end in one. Particles whose contacts did are `changed`.
+struct TouchingEntries {
+    std::vector<Adjacency::Entry> entries;  ///< room as in the adjacency, filled from each begin
+    std::vector<std::uint32_t> count;       ///< per particle
+    std::vector<std::uint8_t> changed;      ///< flag per particle
+
+    void reset(const Adjacency& adjacency) {
+        entries.resize(adjacency.entries.size());
+        count.assign(adjacency.begin.size() - 1, 0);
+        changed.assign(count.size(), 1);
+    }
+
+    /// Brought up to date first where need be; different particles may be asked for at once.
+    std::span<const Adjacency::Entry> of(std::uint32_t particle, const Adjacency& adjacency,
+                                         std::span<const std::uint8_t> touching) {
+        if (particle >= count.size()) return {};
+        Adjacency::Entry* const first = entries.data() + adjacency.begin[particle];
+        if (changed[particle] != 0) {
+            std::uint32_t n = 0;
+            for (const Adjacency::Entry entry : adjacency.of(particle)) {
+                first[n] = entry;
+                n += touching[entry.result];
+            }
+            count[particle] = n;
+            changed[particle] = 0;
+        }
+        return {first, count[particle]};
+    }
+};
+
 /// Neighbor lists: every pair that may touch until some body has used up its margin, sorted into
 /// one list per pair of shape kinds. Results do not depend on when lists are made.
 struct NeighborLists {
     PairLists pairs;
     WallLists walls;
     Adjacency adjacency;
+    TouchingEntries touching_entries;
     std::vector<PairResult> results;     ///< of all lists, one after the other
     std::vector<std::uint8_t> touching;  ///< flag per result
     std::vector<double> particle_limit;  ///< travel up to which the lists hold [m]
