@@ -9,6 +9,7 @@
 #include <ctime>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -149,7 +150,9 @@ bool report_missing(const dem::RunResult& result) {
 int run(const CommandLine& line) {
     dem::Scene scene = scene_of(line);
     if (line.check) {
-        std::cout << dem::check_scene(scene);
+        const std::string description = dem::check_scene(scene);
+        if (line.resume) dem::check_resume(std::move(scene));
+        std::cout << description;
         return 0;
     }
     std::signal(SIGINT, request_stop);
@@ -185,6 +188,10 @@ int main(int argc, char** argv) {
     } catch (const dem::UsageError& error) {
         std::cerr << "demrun: error: " << error.what() << "\n";
         return 2;
+    } catch (const std::bad_alloc&) {
+        std::cerr << "demrun: error: not enough memory for this case, expected fewer bodies or "
+                     "smaller templates\n";
+        return 1;
     } catch (const std::exception& error) {
         std::cerr << "demrun: error: " << error.what() << "\n";
         return 1;

@@ -102,11 +102,18 @@ std::uint64_t run_steps(const RunParts& run, const RunOptions& options, std::uin
 
 }  // namespace
 
+void check_resume(Scene scene) {
+    require_checkpoint(scene);
+    const double dt = time_step(scene).value;
+    Simulation simulation(std::move(scene), dt);
+    AtRest at_rest(simulation.scene());
+    load_checkpoint(checkpoint_path(simulation.scene()), simulation, at_rest);
+}
+
 RunResult run(Scene scene, const RunOptions& options) {
     omp_set_num_threads(scene.run.threads > 0 ? scene.run.threads : omp_get_num_procs());
     const double dt = time_step(scene).value;
-    // The last step reaches the end time but for rounding.
-    const auto last_step = static_cast<std::uint64_t>(std::ceil(scene.run.end_time / dt - 1e-6));
+    const std::uint64_t last_step = step_count(scene.run, dt, scene.case_path);
     if (options.resume) require_checkpoint(scene);
     const FolderLock lock(scene.output.directory);
     Simulation simulation(std::move(scene), dt);

@@ -49,4 +49,7 @@ struct RunResult {
 /// with everything written before kept.
 RunResult run(Scene scene, const RunOptions& options);
 
+/// Throws Error unless a run of this scene could be resumed from its checkpoint. Writes nothing.
+void check_resume(Scene scene);
+
 }  // namespace dem

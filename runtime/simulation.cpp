@@ -98,10 +98,16 @@ void Simulation::check_bodies() const {
     bool all_inside = true;
 #pragma omp parallel for schedule(static) reduction(&& : all_inside) if (count >= parallel_threshold)
     for (std::uint32_t i = 0; i < count; ++i) {
-        all_inside = all_inside && domain_.contains(particles_.position[i]);  // false for NaN, too
+        // Both false for NaN, too.
+        all_inside = all_inside && domain_.contains(particles_.position[i]) &&
+                     particles_.orientation[i].squaredNorm() < 2.0;
     }
     for (std::uint32_t i = 0; i < count && !all_inside; ++i) {
         const Vec3& x = particles_.position[i];
+        if (!(particles_.orientation[i].squaredNorm() < 2.0)) {
+            throw Error(here(), "the orientation of particle " + std::to_string(i) +
+                                    " is not a number; its spin may be too large");
+        }
         if (domain_.contains(x)) continue;
         const std::string at = formatted("(%.4g %.4g %.4g) m", x.x(), x.y(), x.z());
         if (!x.allFinite()) {
@@ -120,9 +126,10 @@ void Simulation::check_overlap() const {
     throw Error(
         here(),
         "particle " + std::to_string(ids.i) + " and " + partner +
-            formatted(" overlap by %.1f %% of the smaller radius, at most %.0f %% expected; "
-                      "take a smaller time step or a stiffer material",
-                      100.0 * largest_overlap_.relative, 100.0 * largest_relative_overlap));
+            formatted(" overlap by %.1f %% of the smaller radius, at most %.0f %% expected; ",
+                      100.0 * largest_overlap_.relative, 100.0 * largest_relative_overlap) +
+            (steps_ == 1 ? "they do from the start"
+                         : "take a smaller time step or a stiffer material"));
 }
 
 std::string Simulation::here() const {

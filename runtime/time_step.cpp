@@ -52,13 +52,23 @@ double shortest_contact(const Scene& scene, const BodyKind& kind, const UsedMate
     return shortest;
 }
 
-std::string text(double seconds) {
+std::string text(double value, const char* unit = " s") {
     char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.3g s", seconds);
+    std::snprintf(buffer, sizeof buffer, "%.3g%s", value, unit);
     return buffer;
 }
 
+/// Steps are counted, and times computed from the count, without rounding up to here.
+constexpr double most_steps = 1e15;
+
 }  // namespace
+
+std::uint64_t step_count(const RunSettings& run, double dt, const std::string& where) {
+    const double count = std::ceil(run.end_time / dt - 1e-6);
+    if (count <= most_steps) return static_cast<std::uint64_t>(count);
+    throw Error(where, "time step " + text(dt) + " makes " + text(count, " steps") +
+                           " to end_time " + text(run.end_time) + ", expected at most 1e15");
+}
 
 TimeStep time_step(const Scene& scene) {
     TimeStep step{infinite, infinite, largest_expected_speed(scene), infinite, 0.0};
@@ -91,6 +101,13 @@ TimeStep time_step(const Scene& scene) {
                     "time_step = auto needs a body that can move; give a time step");
     }
     step.value = step.critical / scene.run.time_step_fraction;
+    if (!(step.value > 0.0 && step.value <= scene.run.end_time)) {
+        throw Error(
+            scene.case_path,
+            "time_step = auto gives " + text(step.value) + " for an end_time of " +
+                text(scene.run.end_time) +
+                ", expected a shorter one; check sizes, speeds, density and Young's modulus");
+    }
     return step;
 }
 

@@ -3,6 +3,9 @@
 
 #include "runtime/scene.hpp"
 
+#include <cstdint>
+#include <string>
+
 namespace dem {
 
 /// The critical times of a scene, [SR] Eq. 23 with the correction of docs/time-loop.md, and the
@@ -16,7 +19,11 @@ struct TimeStep {
 };
 
 /// Throws Error when the given time step is above the critical one and not forced, or when there is
-/// neither a time step nor a body to derive it from.
+/// neither a time step nor a body to derive it from, or what follows is no time within the run.
 TimeStep time_step(const Scene& scene);
+
+/// Steps of `dt` [s] to the end time; the last one reaches it but for rounding. Throws Error(where,
+/// ...) for more than can be counted.
+std::uint64_t step_count(const RunSettings& run, double dt, const std::string& where);
 
 }  // namespace dem

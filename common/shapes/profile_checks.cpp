@@ -19,8 +19,12 @@ std::string text(const Vec2& point) {
     return buffer;
 }
 
-/// Extent of the ends of the segments [m], the scale of all tolerances.
-double path_size(std::span<const ProfileSegment> segments) {
+constexpr double smallest_size = 1e-9;  // [m]
+constexpr double largest_size = 1e4;    // [m]
+constexpr double largest_aspect = 1e4;
+
+/// Extent of the segments in r and z [m]; the larger is the scale of all tolerances.
+Vec2 path_extent(std::span<const ProfileSegment> segments) {
     Vec2 lower = evaluate(segments.front(), 0.0).point;
     Vec2 upper = lower;
     for (const ProfileSegment& segment : segments)
@@ -29,7 +33,24 @@ double path_size(std::span<const ProfileSegment> segments) {
             lower = lower.cwiseMin(point);
             upper = upper.cwiseMax(point);
         }
-    return (upper - lower).maxCoeff();
+    return upper - lower;
+}
+
+/// Beyond these bounds squares and fourth powers of lengths leave the range of numbers, and
+/// tolerances relative to the size swallow the thickness.
+void check_extent(const Vec2& extent, const std::string& label) {
+    const double size = extent.maxCoeff();
+    char found[96];
+    if (!(size >= smallest_size && size <= largest_size)) {
+        std::snprintf(found, sizeof found, "the profile has a size of %.3g m", size);
+        throw Error(label, std::string(found) + ", expected 1e-9 to 1e4 m; check its units");
+    }
+    // No extent at all is a matter of the checks that follow.
+    if (extent.minCoeff() > 0.0 && size > largest_aspect * extent.minCoeff()) {
+        std::snprintf(found, sizeof found, "the profile reaches %.3g m in r and %.3g m in z",
+                      extent.x(), extent.y());
+        throw Error(label, std::string(found) + ", expected a ratio of at most 10000");
+    }
 }
 
 /// Whether a piece comes down to the axis anywhere but at an end of the path.
@@ -112,7 +133,9 @@ void check_area(std::span<const ProfilePiece> pieces, const std::string& label, 
 
 void check_path(std::span<const ProfileSegment> segments, std::span<const std::string> labels) {
     if (segments.empty()) throw Error("profile", "found no segments, expected at least one");
-    const double size = path_size(segments);
+    const Vec2 extent = path_extent(segments);
+    const double size = extent.maxCoeff();
+    if (extent.allFinite()) check_extent(extent, labels.front());
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const CurveJet start = evaluate(segments[i], 0.0);
         const CurveJet middle = evaluate(segments[i], 0.5);

@@ -15,9 +15,18 @@ namespace dem {
 
 namespace {
 
-/// One settled candy and one core (docs/benchmarks.md); spheres are three times faster. Good enough
+/// What a settled particle costs on one core of 2.6 to 3 GHz (docs/benchmarks.md) [s]; good enough
 /// to tell minutes from days.
-constexpr double seconds_per_particle_step = 1e-6;
+double seconds_per_step(const ParticleTemplate& shape) {
+    if (std::holds_alternative<Sphere>(shape.shape)) return 0.5e-6;
+    if (const auto* sr = std::get_if<SrShape>(&shape.shape)) return sr->is_convex ? 1.4e-6 : 3e-6;
+    return 2e-6;
+}
+
+/// How much faster threads make a run, from two threads on two cores.
+double speed_up(int threads) {
+    return 1.0 + 0.7 * (threads - 1);
+}
 
 /// Inserts what is due at the start into an empty world, and every later group alone, which finds
 /// regions that can never hold what they should.
@@ -104,14 +113,15 @@ std::string check_scene(const Scene& scene) {
     std::ostringstream out;
     out << std::setprecision(4) << scene.case_path << "\n";
     std::uint64_t bodies = 0;
-    double particle_time = 0.0;  // bodies times how long each is there [s]
+    double work = 0.0;  // of all bodies for as long as each is there, on one core [s]
     double total_mass = 0.0;
     for (const InsertionGroup& group : scene.insertions) {
         bodies += group.count;
         total_mass += mass(scene, group, group.count);
         const double average_start = 0.5 * (group.start + last_insertion(group));
-        particle_time +=
-            static_cast<double>(group.count) * std::max(0.0, scene.run.end_time - average_start);
+        const double steps = std::max(0.0, scene.run.end_time - average_start) / step.value;
+        const ParticleTemplate& shape = scene.shapes[scene.kinds[group.kinds.front()].shape];
+        work += static_cast<double>(group.count) * steps * seconds_per_step(shape);
     }
     out << "particles: " << bodies << ", " << total_mass << " kg\n";
     for (const InsertionGroup& group : scene.insertions) describe(scene, group, out);
@@ -122,12 +132,11 @@ std::string check_scene(const Scene& scene) {
     out << (scene.walls.empty() ? "\n" : ")\n");
     describe(step, scene.run, out);
     const int threads = scene.run.threads > 0 ? scene.run.threads : omp_get_num_procs();
-    const double work = particle_time / step.value * seconds_per_particle_step;
-    out << "steps: " << std::fixed << std::setprecision(0)
-        << std::ceil(scene.run.end_time / step.value - 1e-6) << " to " << std::defaultfloat
-        << std::setprecision(4) << scene.run.end_time << " s\n"
-        << "estimate: about " << format_duration(work / threads) << " on " << threads
-        << (threads == 1 ? " thread" : " threads") << ", at 1 us per particle and step\n";
+    const int used = std::min(threads, omp_get_num_procs());
+    out << "steps: " << step_count(scene.run, step.value, scene.case_path) << " to "
+        << scene.run.end_time << " s\n"
+        << "estimate: about " << format_duration(work / speed_up(used)) << " on " << used
+        << (used == 1 ? " core\n" : " cores\n");
     return out.str();
 }
 

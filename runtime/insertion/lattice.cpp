@@ -49,7 +49,6 @@ std::vector<BodyPlacement> lattice_placements(const Scene& scene, std::uint32_t 
     // A region of exactly n diameters holds n: the spacing's excess is not the user's.
     const Vec3 cells = (frame.size().cwiseQuotient(cell).array() + 1e-5).floor();
     std::vector<BodyPlacement> placed;
-    placed.reserve(group.count);
     for (double k = 0.0; k < cells.z(); ++k) {
         for (double j = 0.0; j < cells.y(); ++j) {
             for (double i = 0.0; i < cells.x(); ++i) {

@@ -2,8 +2,7 @@
 #include "runtime/insertion/occupancy.hpp"
 
 #include "runtime/contact/touch.hpp"
-
-#include <algorithm>
+#include "runtime/walls/wall_distance.hpp"
 
 namespace dem {
 
@@ -15,16 +14,6 @@ PairState pair_state(const Vec3& displacement, const Quat& i, const Quat& j) {
     pair.i.orientation = i;
     pair.j.orientation = j;
     return pair;
-}
-
-/// Lower bound of the distance from a point in front of a wall to the wall [m].
-double clearance(const Wall& wall, const WallState& state, const Vec3& point) {
-    const Vec3 x = state.body.orientation.conjugate() * Vec3(point - state.position);
-    if (std::holds_alternative<PlaneWall>(wall.shape)) return x.z();
-    const auto& cylinder = std::get<CylinderWall>(wall.shape);
-    const double radial = x.head<2>().norm();
-    if (cylinder.inside) return cylinder.radius - radial;
-    return std::max({radial - cylinder.radius, -x.z(), x.z() - cylinder.length});
 }
 
 }  // namespace
@@ -69,7 +58,7 @@ const Wall* Occupancy::overlapped_wall(const BodyPlacement& body) const {
     const ParticleTemplate& shape = shape_of(body);
     for (std::size_t w = 0; w < walls_.size(); ++w) {
         const Wall& wall = scene_.walls[w];
-        if (clearance(wall, walls_[w], body.position) >= shape.bounding_radius) continue;
+        if (wall_distance(wall.shape, walls_[w], body.position) >= shape.bounding_radius) continue;
         const PairState pair = pair_state(walls_[w].position - body.position, body.orientation,
                                           walls_[w].body.orientation);
         if (touches(shape, wall.shape, pair)) return &wall;

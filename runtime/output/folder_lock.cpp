@@ -17,14 +17,26 @@ namespace dem {
 
 namespace {
 
-void make_folder(const std::filesystem::path& folder) {
+/// Whether it was missing.
+bool make_folder(const std::filesystem::path& folder) {
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
+    const bool made = std::filesystem::create_directories(folder, error);
     if (error || !std::filesystem::is_directory(folder)) {
         throw Error(folder.string(), "cannot make the output folder" +
                                          (error ? ": " + error.message() : std::string()));
     }
+    return made;
 }
+
+bool holds_only(const std::filesystem::path& folder, const std::filesystem::path& file) {
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        if (entry.path().filename() != file) return false;
+    }
+    return !error;
+}
+
+constexpr const char* lock_name = ".demrun.lock";
 
 /// " (process 1234)" from the lock file, "" when it says nothing.
 std::string owner(int descriptor) {
@@ -36,9 +48,9 @@ std::string owner(int descriptor) {
 
 }  // namespace
 
-FolderLock::FolderLock(const std::filesystem::path& folder) {
-    make_folder(folder);
-    const std::filesystem::path file = folder / ".demrun.lock";
+FolderLock::FolderLock(const std::filesystem::path& folder)
+    : folder_(folder), is_new_(make_folder(folder)) {
+    const std::filesystem::path file = folder / lock_name;
     descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC,
                        S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH);
     if (descriptor_ < 0) {
@@ -59,6 +71,11 @@ FolderLock::FolderLock(const std::filesystem::path& folder) {
 }
 
 FolderLock::~FolderLock() {
+    if (is_new_ && holds_only(folder_, lock_name)) {
+        std::error_code ignored;
+        std::filesystem::remove(folder_ / lock_name, ignored);
+        std::filesystem::remove(folder_, ignored);
+    }
     close(descriptor_);
 }
 

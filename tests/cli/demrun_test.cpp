@@ -62,6 +62,17 @@ TEST_F(Demrun, ABadCaseIsOneLineAndOneAndWritesNothing) {
     EXPECT_FALSE(fs::exists(folder_ / "none"));
 }
 
+TEST_F(Demrun, ACaseThatCannotStartLeavesNoFolder) {
+    const Outcome crowd = demrun("case.ini --set particles.balls.count=1000");
+    EXPECT_EQ(crowd.code, 1);
+    EXPECT_NE(crowd.errors.find("of 1000 bodies placed at random"), std::string::npos);
+    EXPECT_FALSE(fs::exists(folder_ / "case"));
+    const Outcome steps = demrun("case.ini --set run.time_step=1e-300");
+    EXPECT_EQ(steps.code, 1);
+    EXPECT_NE(steps.errors.find("expected at most 1e15"), std::string::npos) << steps.errors;
+    EXPECT_FALSE(fs::exists(folder_ / "case"));
+}
+
 TEST_F(Demrun, CheckDescribesAndWritesNothing) {
     const Outcome outcome = demrun("case.ini --check");
     EXPECT_EQ(outcome.code, 0) << outcome.errors;

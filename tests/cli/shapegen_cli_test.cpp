@@ -121,7 +121,7 @@ TEST_F(ShapegenCli, ReportsWhatItCooked) {
     const Result result = run(profiles + "tablet.profile -o a.tpl --nodes 500");
     EXPECT_EQ(result.code, 0) << result.err;
     for (const char* word :
-         {"tablet", "convex", "5.3110417e-07", "500", "sdf_error_mean", "a.tpl"}) {
+         {"tablet", "convex", "531.1042 mm^3", "500", "distance field", "a.tpl"}) {
         EXPECT_NE(result.out.find(word), std::string::npos) << word << " in\n" << result.out;
     }
 }

@@ -185,6 +185,11 @@ TEST(Profile, RefusesPathsThatBoundNoBody) {
         message_of({LineSegment{{0, -1}, {1, 0}}, LineSegment{{1, 0.1}, {0, 1}}}).find("join"),
         std::string::npos);
     EXPECT_NE(message_of({}).find("no segments"), std::string::npos);
+    EXPECT_NE(message_of(lines({{0, -1e200}, {1e200, 0}, {0, 1e200}})).find("size of"),
+              std::string::npos);
+    EXPECT_NE(message_of(lines({{0, -1e-200}, {1e-200, 0}, {0, 1e-200}})).find("size of"),
+              std::string::npos);
+    EXPECT_NE(message_of(lines({{0, -1e-5}, {1, 0}, {0, 1e-5}})).find("ratio"), std::string::npos);
 }
 
 TEST(Profile, FindsCrossingsOfCurves) {

@@ -95,11 +95,14 @@ TEST(InsertAtOnce, ARegionThatIsTooSmallSaysHowManyItHeld) {
 }
 
 TEST(InsertAtOnce, BodiesKeepClearOfARodInTheirRegion) {
-    const Scene scene =
-        scene_of(sphere_case("[wall.rod]\nshape = cylinder\nside = outside\n"
-                             "point = 0 0 -1\nradius = 10 mm\nmaterial = steel\n"));
-    const Particles particles = inserted(scene);
-    for (const Vec3& p : particles.position) EXPECT_GE(p.head<2>().norm(), 15e-3 - 1e-15);
+    // A rod without length goes on both ways from its point.
+    for (const std::string z : {"-1", "0.045", "1"}) {
+        const Scene scene =
+            scene_of(sphere_case("[wall.rod]\nshape = cylinder\nside = outside\npoint = 0 0 " + z +
+                                 "\nradius = 10 mm\nmaterial = steel\n"));
+        const Particles particles = inserted(scene);
+        for (const Vec3& p : particles.position) EXPECT_GE(p.head<2>().norm(), 15e-3 - 1e-15);
+    }
 }
 
 TEST(InsertLattice, ABlockOfCellsIsFilledToTheLastOne) {

@@ -222,6 +222,11 @@ TEST_F(ResumedRun, RefusesWhatItCannotContinueAndTouchesNothing) {
     Scene measures = pour(0.04, 1, "a");
     measures.measures.clear();
     EXPECT_NE(resume_error(measures).find("history.csv: other columns"), std::string::npos);
+    // The same without running (demrun --resume --check).
+    EXPECT_THROW(check_resume(other), Error);
+    EXPECT_THROW(check_resume(step), Error);
+    EXPECT_THROW(check_resume(pour(0.02, 1, "b")), Error);
+    EXPECT_NO_THROW(check_resume(pour(0.04, 1, "a")));
     EXPECT_EQ(text("a/history.csv"), history);
 }
 
@@ -239,7 +244,9 @@ TEST_F(Run, KeepsOthersOutOfItsFolder) {
             << message;
         EXPECT_FALSE(std::filesystem::exists(directory_ / "history.csv"));
     }
-    ASSERT_TRUE(std::filesystem::exists(directory_ / ".demrun.lock")) << "a stale one";
+    EXPECT_FALSE(std::filesystem::exists(directory_)) << "made for a run that wrote nothing";
+    std::filesystem::create_directories(directory_);
+    std::ofstream(directory_ / ".demrun.lock") << "1";  // of a run that was killed
     EXPECT_EQ(run(bouncing_sphere(), {}).steps, 10000U);
 }
 

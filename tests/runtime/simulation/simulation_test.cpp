@@ -135,6 +135,11 @@ TEST(Simulation, ANumberThatIsNotOneIsFoundAtOnce) {
     body.velocity.x() = std::numeric_limits<double>::quiet_NaN();
     Simulation simulation(spheres_over_a_floor({body}), 1e-6);
     EXPECT_NE(error_of(simulation, 1).find("step 1"), std::string::npos);
+    body = at(0.0, 0.0, 1.0);
+    body.angular_velocity.x() = 1e200;
+    Simulation spinning(spheres_over_a_floor({body}), 1e-6);
+    EXPECT_NE(error_of(spinning, 2).find("the orientation of particle 0 is not a number"),
+              std::string::npos);
 }
 
 TEST(Simulation, FixedBodiesDoNotFallAndHoldOthers) {
@@ -198,6 +203,16 @@ TEST(TimeStep, AboveTheCriticalOneIsRefusedUnlessForced) {
     EXPECT_THROW(time_step(scene), Error);
     scene.run.time_step_force = true;
     EXPECT_EQ(time_step(scene).value, *scene.run.time_step);
+}
+
+TEST(TimeStep, MustFitTheRun) {
+    Scene scene = spheres_over_a_floor({at(0.0, 0.0, radius)});
+    EXPECT_EQ(step_count(scene.run, scene.run.end_time / 1000.0, "here"), 1000);
+    EXPECT_EQ(step_count(scene.run, scene.run.end_time / 999.5, "here"), 1000);
+    EXPECT_THROW(step_count(scene.run, 1e-300, "here"), Error);
+    EXPECT_THROW(step_count(scene.run, 0.0, "here"), Error);
+    scene.run.end_time = 1e-7;
+    EXPECT_THROW(time_step(scene), Error) << "an automatic step longer than the run";
 }
 
 }  // namespace
