@@ -3,16 +3,12 @@
 
 namespace dem {
 
-namespace {
-constexpr std::uint32_t parallel_threshold = 500;
-}
-
 void sum_forces(Particles& particles, NeighborLists& lists, const Scene& scene,
                 EnergyLedger& ledger) {
     particles.force.swap(particles.old_force);
     particles.torque.swap(particles.old_torque);
     const std::uint32_t count = particles.size();
-#pragma omp parallel for schedule(static) if (count >= parallel_threshold)
+#pragma omp parallel for schedule(static) if (count >= scene.run.parallel_pairs)
     for (std::uint32_t i = 0; i < count; ++i) {
         Vec3 force = Vec3::Zero();
         Vec3 torque = Vec3::Zero();

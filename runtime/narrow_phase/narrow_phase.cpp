@@ -13,11 +13,9 @@ namespace dem {
 
 namespace {
 
-/// Pairs worth a team of threads, which costs a few microseconds to gather: spheres take some 50 ns
-/// a pair, other shapes several times that.
+/// Spheres take some 50 ns a pair, other shapes several times that.
 template <class List>
-constexpr std::uint32_t parallel_threshold =
-    std::is_same_v<typename List::Cache, NoCache> ? 400 : 60;
+constexpr std::uint32_t relative_speed = std::is_same_v<typename List::Cache, NoCache> ? 5 : 1;
 
 // ---- What differs between pairs of particles and pairs with walls.
 
@@ -157,7 +155,7 @@ void compute_list(List& list, NeighborLists& lists, const Partner& partner, doub
     const std::uint32_t size = list.size();
     if (size == 0) return;
     list.changes.resize(scratch.threads.size());
-#pragma omp parallel if (size >= parallel_threshold <List>)
+#pragma omp parallel if (size / relative_speed <List> >= scratch.parallel_pairs)
     {
         const auto thread = static_cast<std::size_t>(omp_get_thread_num());
         Worker<List, Partner> worker{
@@ -190,6 +188,7 @@ void compute_list(List& list, NeighborLists& lists, const Partner& partner, doub
 
 NarrowPhaseScratch make_scratch(const Scene& scene) {
     NarrowPhaseScratch scratch;
+    scratch.parallel_pairs = scene.run.parallel_pairs;
     std::size_t most_points = 0;
     for (const ParticleTemplate& shape : scene.shapes) {
         const auto* sr = std::get_if<SrShape>(&shape.shape);

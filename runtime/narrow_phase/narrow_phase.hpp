@@ -23,6 +23,7 @@ struct NarrowPhaseScratch {
     };
     std::vector<Thread> threads;
     std::vector<double> equivalent_radius;  ///< per kind [m]
+    std::uint32_t parallel_pairs = 0;       ///< RunSettings::parallel_pairs
 };
 
 /// For the number of threads in force now (omp_set_num_threads).

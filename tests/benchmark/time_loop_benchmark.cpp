@@ -11,21 +11,24 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <malloc.h>
 #include <omp.h>
 
 // Cost of the time loop on settled beds with fixed counts:
 //
-//     time_loop_benchmark spheres|candies|candies_nodes|clumps [count [threads [steps [skin in
-//     mm]]]]
+//     time_loop_benchmark spheres|candies|candies_nodes|clumps [count [threads[,threads...] [steps
+//                         [skin in mm]]]]
 //
-// A bed first settles with a large time step, then the loop is timed with the one of the scene. The
-// hash proves that a faster version still computes the same. The cost of one core is in cpu_us; the
-// wall time says as much only on an idle machine. Virtual machines are given more or fewer of the
-// cycles of their cores from second to second: `cycles` is cpu_us times the clock measured between
-// the blocks, and can be compared from run to run.
+// A bed first settles with a large time step, then the loop is timed with the one of the scene,
+// from the same state for each number of threads. The hash proves that a faster version still
+// computes the same. The cost of one core is in cpu_us; the wall time says as much only on an idle
+// machine. Virtual machines are given more or fewer of the cycles of their cores from second to
+// second: `cycles` is cpu_us times the clock measured between the blocks, and can be compared from
+// run to run.
 
 namespace dem {
 namespace {
@@ -33,7 +36,7 @@ namespace {
 struct Settings {
     std::string scene;
     std::uint32_t count;
-    int threads = 1;
+    std::vector<int> threads{1};
     int steps = 0;
     double skin = 0.0;  // [m]
 };
@@ -166,12 +169,8 @@ Cost cost_of(Simulation& simulation, int steps) {
     return {wall[blocks / 2], cpu[blocks / 2], cpu[0], cycles[blocks / 2], clock[blocks / 2]};
 }
 
-void measure(const Settings& s) {
-    omp_set_num_threads(s.threads);
-    Bed bed = make_bed(s);
-    if (s.skin > 0.0) bed.scene.run.skin = s.skin;
-    Simulation settling(bed.scene, bed.settling_dt);
-    for (int n = 0; n < bed.settling_steps; ++n) settling.step();
+void measure(const Settings& s, const Bed& bed, const Simulation& settling, int threads) {
+    omp_set_num_threads(threads);
     const std::size_t heap_before = mallinfo2().uordblks;
     Simulation simulation(restarted(settling), bed.dt);
     const int steps = s.steps > 0 ? s.steps : std::max(200, static_cast<int>(8e6 / s.count));
@@ -184,15 +183,25 @@ void measure(const Settings& s) {
     const double count = simulation.particles().size();
     const auto contacts =
         static_cast<double>(std::count(touching.begin(), touching.end(), std::uint8_t{1}));
-    std::printf(
-        "scene,particles,threads,steps,us_per_particle_step,cpu_us,best_cpu_us,cycles,clock_ghz,"
-        "candidates,contacts,rebuilds,bytes_per_particle,state_hash\n");
     std::printf("%s,%u,%d,%d,%.4f,%.4f,%.4f,%.0f,%.2f,%.2f,%.2f,%" PRIu64 ",%.0f,%016" PRIx64 "\n",
-                s.scene.c_str(), simulation.particles().size(), s.threads, steps, cost.wall,
-                cost.cpu, cost.best_cpu, cost.cycles, cost.clock,
+                s.scene.c_str(), simulation.particles().size(), threads, steps, cost.wall, cost.cpu,
+                cost.best_cpu, cost.cycles, cost.clock,
                 static_cast<double>(touching.size()) / count, contacts / count,
                 simulation.lists().rebuilds - rebuilds, static_cast<double>(heap) / count,
                 simulation.state_hash());
+    std::fflush(stdout);
+}
+
+void measure(const Settings& s) {
+    omp_set_num_threads(*std::max_element(s.threads.begin(), s.threads.end()));
+    Bed bed = make_bed(s);
+    if (s.skin > 0.0) bed.scene.run.skin = s.skin;
+    Simulation settling(bed.scene, bed.settling_dt);
+    for (int n = 0; n < bed.settling_steps; ++n) settling.step();
+    std::printf(
+        "scene,particles,threads,steps,us_per_particle_step,cpu_us,best_cpu_us,cycles,clock_ghz,"
+        "candidates,contacts,rebuilds,bytes_per_particle,state_hash\n");
+    for (const int threads : s.threads) measure(s, bed, settling, threads);
 }
 
 Settings settings(int argc, char** argv) {
@@ -200,7 +209,12 @@ Settings settings(int argc, char** argv) {
         throw UsageError("no scene given, expected spheres, candies, candies_nodes or clumps");
     Settings s{argv[1], std::string(argv[1]) == "spheres" ? 32000U : 250U};
     if (argc > 2) s.count = static_cast<std::uint32_t>(std::atoi(argv[2]));
-    if (argc > 3) s.threads = std::atoi(argv[3]);
+    if (argc > 3) {
+        s.threads.clear();
+        std::istringstream list(argv[3]);
+        for (std::string threads; std::getline(list, threads, ',');)
+            s.threads.push_back(std::max(1, std::atoi(threads.c_str())));
+    }
     if (argc > 4) s.steps = std::atoi(argv[4]);
     if (argc > 5) s.skin = 1e-3 * std::atof(argv[5]);
     return s;
