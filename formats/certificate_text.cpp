@@ -15,7 +15,8 @@ struct Entry {
     const char* meaning;
 };
 
-/// l is the major axis of the shape, d_eq the diameter of the sphere of equal volume.
+/// Without a unit of its own: the unit of lengths of the shape. l is the major axis of the shape,
+/// d_eq the diameter of the sphere of equal volume.
 constexpr std::array entries = {
     Entry{"sdf_error_mean", "l", "distance field against exact distances near the surface, mean"},
     Entry{"sdf_error_rms", "l", "  the same, root mean square"},
@@ -28,28 +29,34 @@ constexpr std::array entries = {
     Entry{"node_spacing_mean", "l", "distance of a surface node from its nearest neighbour, mean"},
     Entry{"node_spacing_max", "l", "  the same, largest"},
     Entry{"node_surface_error_max", "l", "surface spanned by the nodes"},
-    Entry{"display_mesh_error_max", "l", "surface shown in pictures"},
+    Entry{"display_mesh_error_max", nullptr, "surface shown in pictures"},
     Entry{"volume_error", "", "volume against an independent integration, relative"},
     Entry{"coverage", "", "part of the volume inside the spheres"},
+    Entry{"outside", "", "  volume of the spheres outside of the shape, over that of the shape"},
     Entry{"ceiling", "", "  the largest part that the candidate spheres could cover"},
     Entry{"volume_ratio", "", "volume of the union of the spheres over that of the shape"},
     Entry{"rms_deviation", "d_eq",
           "surface of the spheres against that of the shape, root mean square"},
     Entry{"max_deviation_in", "d_eq", "  the same, deepest below the surface"},
     Entry{"max_deviation_out", "d_eq", "  the same, furthest outside"},
+    Entry{"moment_errors_x", "", "moments of the union of the spheres, relative, about x"},
+    Entry{"moment_errors_y", "", "  the same about y"},
+    Entry{"moment_errors_z", "", "  the same about z"},
     Entry{"slope_rms", "deg", "direction of the surface, root mean square"},
-    Entry{"moment_errors", "", "principal moments of the union of the spheres, relative, largest"},
+    Entry{"mass_tolerance", "", "moments of the masses of the spheres, relative"},
+    Entry{"mass_center_tolerance", "d_eq", "their center of mass"},
 };
 
 }  // namespace
 
-std::string certificate_line(const std::string& name, double value) {
+std::string certificate_line(const std::string& name, double value, const char* length_unit) {
     const Entry* found = nullptr;
     for (const Entry& entry : entries) {
         if (entry.name == name) found = &entry;
     }
     std::array<char, 64> number{};
-    std::snprintf(number.data(), number.size(), "%10.3g %-4s", value, found ? found->unit : "");
+    const char* unit = found == nullptr ? "" : found->unit != nullptr ? found->unit : length_unit;
+    std::snprintf(number.data(), number.size(), "%10.3g %-4s", value, unit);
     return "    " + std::string(number.data()) + "  " + (found ? found->meaning : name) + "\n";
 }
 

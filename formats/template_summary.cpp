@@ -120,13 +120,14 @@ std::string text_of(const ParticleTemplate& shape) {
     if (n.nodes > 0) text += format("  surface nodes     %" PRIu64 "\n", n.nodes);
     if (n.cells > 0) text += format("  distance cells    %" PRIu64 "\n", n.cells);
     if (n.triangles > 0) text += format("  display triangles %" PRIu64 "\n", n.triangles);
+    const bool is_sr = std::holds_alternative<SrShape>(shape.shape);
     if (!shape.certificate.empty()) {
-        text += std::holds_alternative<SrShape>(shape.shape)
-                    ? "  measured errors   (l: major axis; names and every digit: --json)\n"
-                    : "  measured errors   (d_eq: diameter of the sphere of equal volume; names "
-                      "and every digit: --json)\n";
+        text += "  measured errors   (";
+        text += is_sr ? "l: major axis" : "d_eq: diameter of the sphere of equal volume";
+        text += "; names and every digit: --json)\n";
     }
-    for (const auto& [name, value] : shape.certificate) text += certificate_line(name, value);
+    for (const auto& [name, value] : shape.certificate)
+        text += certificate_line(name, value, is_sr ? "l" : "d_eq");
     return text;
 }
 

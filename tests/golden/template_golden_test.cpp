@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "formats/template_reader.hpp"
+#include "formats/template_summary.hpp"
+#include "tests/cli/program.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+// Templates outlive the version that cooked them: files made by version 0.1.0 are read today and in
+// all later versions of the same format, to the values they had.
+//
+//     shapegen data/profiles/tablet.profile -o tests/golden/tablet.tpl --nodes 200
+//              --base-cells 25 --interface-cells 50 --corner-cells 100
+//     shapegen data/profiles/peanut.profile ...the same
+//     shapegen inspect tests/golden/tablet.tpl --json > tests/golden/tablet.json
+
+namespace dem {
+namespace {
+
+const std::filesystem::path folder = std::filesystem::path(DEM_SOURCE_DIR) / "tests/golden";
+
+class Golden : public testing::TestWithParam<const char*> {};
+
+TEST_P(Golden, IsReadToTheValuesItHad) {
+    const std::string name = GetParam();
+    const std::string text = template_json(read_template(folder / (name + ".tpl")));
+    const nlohmann::json found = nlohmann::json::parse(text).flatten();
+    const nlohmann::json golden =
+        nlohmann::json::parse(content(folder / (name + ".json"))).flatten();
+    EXPECT_GT(golden.size(), 20U);
+    for (const auto& [path, value] : golden.items()) {
+        ASSERT_TRUE(found.contains(path)) << path;
+        EXPECT_EQ(found[path], value) << path;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Templates, Golden, testing::Values("tablet", "peanut"));
+
+}  // namespace
+}  // namespace dem
