@@ -36,10 +36,10 @@ void open_array(std::string& out, const std::string& type, const std::string& na
 
 }  // namespace
 
-void write_stl(const std::filesystem::path& path, const DisplayMesh& mesh,
-               const std::string& name) {
-    // The header must not begin with "solid", which marks the text variant.
-    std::string header = "binary STL, unit m: " + name;
+namespace {
+
+template <class Mesh>
+std::string stl(const Mesh& mesh, std::string header) {
     header.resize(80, ' ');
     std::string out = header;
     append_bytes(out, static_cast<std::uint32_t>(mesh.triangles.size()));
@@ -52,38 +52,110 @@ void write_stl(const std::filesystem::path& path, const DisplayMesh& mesh,
         append_bytes(out, mesh.vertices[c]);
         append_bytes(out, std::uint16_t{0});
     }
-    write_file(path, out);
+    return out;
+}
+
+std::string vtu_head(std::size_t points, std::size_t cells) {
+    return "<?xml version=\"1.0\"?>\n"
+           "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+           "  <UnstructuredGrid>\n"
+           "    <Piece NumberOfPoints=\"" +
+           std::to_string(points) + "\" NumberOfCells=\"" + std::to_string(cells) + "\">\n";
+}
+
+constexpr const char* array_end = "        </DataArray>\n";
+
+template <class Meshes>
+void append_points_and_cells(std::string& out, const Meshes& meshes) {
+    constexpr int triangle_type = 5;  // VTK_TRIANGLE
+    out += "      <Points>\n";
+    open_array(out, "Float64", "Points");
+    for (const auto& mesh : meshes) {
+        for (const Vec3& p : mesh.vertices) {
+            append_text(out, p, ' ');
+            out += '\n';
+        }
+    }
+    out += std::string(array_end) + "      </Points>\n      <Cells>\n";
+    open_array(out, "Int64", "connectivity");
+    std::size_t first = 0;
+    std::size_t count = 0;
+    for (const auto& mesh : meshes) {
+        for (const auto& [a, b, c] : mesh.triangles)
+            out += std::to_string(first + a) + ' ' + std::to_string(first + b) + ' ' +
+                   std::to_string(first + c) + '\n';
+        first += mesh.vertices.size();
+        count += mesh.triangles.size();
+    }
+    out += array_end;
+    open_array(out, "Int64", "offsets");
+    for (std::size_t i = 1; i <= count; ++i) out += std::to_string(3 * i) + '\n';
+    out += array_end;
+    open_array(out, "UInt8", "types");
+    for (std::size_t i = 0; i < count; ++i) out += std::to_string(triangle_type) + '\n';
+    out += std::string(array_end) + "      </Cells>\n";
+}
+
+constexpr const char* vtu_tail = "    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n";
+
+}  // namespace
+
+// The header must not begin with "solid", which marks the text variant.
+void write_stl(const std::filesystem::path& path, const DisplayMesh& mesh,
+               const std::string& name) {
+    write_file(path, stl(mesh, "binary STL, unit m: " + name));
+}
+
+void write_stl(const std::filesystem::path& path, const ColoredMesh& mesh, const std::string& name,
+               const std::string& unit) {
+    write_file(path, stl(mesh, "binary STL, unit " + unit + ": " + name));
 }
 
 void write_vtu(const std::filesystem::path& path, const DisplayMesh& mesh) {
-    constexpr int triangle_type = 5;  // VTK_TRIANGLE
-    std::string out =
-        "<?xml version=\"1.0\"?>\n"
-        "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-        "  <UnstructuredGrid>\n"
-        "    <Piece NumberOfPoints=\"" +
-        std::to_string(mesh.vertices.size()) + "\" NumberOfCells=\"" +
-        std::to_string(mesh.triangles.size()) + "\">\n      <Points>\n";
-    open_array(out, "Float64", "Points");
-    for (const Vec3& p : mesh.vertices) {
-        append_text(out, p, ' ');
-        out += '\n';
+    std::string out = vtu_head(mesh.vertices.size(), mesh.triangles.size());
+    append_points_and_cells(out, std::span(&mesh, 1));
+    write_file(path, out + vtu_tail);
+}
+
+void write_vtu(const std::filesystem::path& path, std::span<const ColoredMesh> parts,
+               const std::string& value_name) {
+    std::size_t points = 0;
+    std::size_t cells = 0;
+    for (const ColoredMesh& mesh : parts) {
+        points += mesh.vertices.size();
+        cells += mesh.triangles.size();
     }
-    out += "        </DataArray>\n      </Points>\n      <Cells>\n";
-    open_array(out, "Int64", "connectivity");
-    for (const auto& [a, b, c] : mesh.triangles) {
-        out += std::to_string(a) + ' ' + std::to_string(b) + ' ' + std::to_string(c) + '\n';
+    std::string out = vtu_head(points, cells);
+    append_points_and_cells(out, parts);
+    out += "      <PointData Scalars=\"" + value_name + "\">\n";
+    open_array(out, "Float64", value_name);
+    for (const ColoredMesh& mesh : parts)
+        for (const double value : mesh.values) out += number_text(value) + '\n';
+    out += std::string(array_end) + "      </PointData>\n      <CellData>\n";
+    open_array(out, "UInt8", "part");
+    for (std::size_t part = 0; part < parts.size(); ++part)
+        for (std::size_t i = 0; i < parts[part].triangles.size(); ++i)
+            out += std::to_string(part) + '\n';
+    write_file(path, out + array_end + "      </CellData>\n" + vtu_tail);
+}
+
+void write_obj(const std::filesystem::path& path, std::span<const ColoredMesh> parts,
+               std::span<const std::string> names) {
+    std::string out;
+    std::size_t first = 1;
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+        const ColoredMesh& mesh = parts[part];
+        out += "o " + names[part] + '\n';
+        for (const Vec3& p : mesh.vertices) {
+            out += "v ";
+            append_text(out, p, ' ');
+            out += '\n';
+        }
+        for (const auto& [a, b, c] : mesh.triangles)
+            out += "f " + std::to_string(first + a) + ' ' + std::to_string(first + b) + ' ' +
+                   std::to_string(first + c) + '\n';
+        first += mesh.vertices.size();
     }
-    out += "        </DataArray>\n";
-    open_array(out, "Int64", "offsets");
-    for (std::size_t i = 1; i <= mesh.triangles.size(); ++i) out += std::to_string(3 * i) + '\n';
-    out += "        </DataArray>\n";
-    open_array(out, "UInt8", "types");
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        out += std::to_string(triangle_type) + '\n';
-    }
-    out +=
-        "        </DataArray>\n      </Cells>\n    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n";
     write_file(path, out);
 }
 

@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 #include "common/units.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -120,6 +121,8 @@ ClumpRequest read_request(const po::variables_map& values) {
     options.skeleton = read_skeleton(values);
     options.per_diameter =
         static_cast<double>(whole_number(values, "resolution", fewest_voxels, most_voxels));
+    // Coverage needs cells finer than the voxels that candidates come from.
+    options.cells_per_diameter = std::clamp(4.0 * options.per_diameter, 80.0, 160.0);
     return request;
 }
 

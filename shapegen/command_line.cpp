@@ -55,10 +55,17 @@ po::options_description inspect_options() {
 po::options_description export_options() {
     po::options_description options("Exporting");
     options.add_options()("output,o", po::value<std::string>()->value_name("FILE"),
-                          "the file to write: .svg picture of the cross-section, the nodes and the "
-                          "curvature; .stl or .vtu display mesh; .csv surface nodes")(
-        "shape", po::value<std::string>()->value_name("NAME|INDEX"),
-        "which shape of a template that holds several");
+                          "the file to write. Surface of revolution: .svg picture of the "
+                          "cross-section, the nodes and the curvature; .stl or .vtu display mesh; "
+                          ".csv surface nodes. Clump, in the frame and unit of the input: .csv "
+                          "spheres; .stl spheres as triangles; .vtu or .obj body and clump; .svg "
+                          "picture of both, colored by deviation")(
+        "format", po::value<std::string>()->value_name("CODE"),
+        "a clump for liggghts, lammps, yade, mercurydpm (a folder) or dem-engine")(
+        "density", po::value<std::string>()->default_value("1000 kg/m^3")->value_name("D"),
+        "for the masses that such files hold")("shape",
+                                               po::value<std::string>()->value_name("NAME|INDEX"),
+                                               "which shape of a template that holds several");
     return options;
 }
 
@@ -69,7 +76,9 @@ std::string help_text() {
            "  shapegen PROFILE [-o OUT.tpl] [options]\n"
            "  shapegen MESH|PROFILE --clump 0.95 [-o OUT.tpl] [options]\n"
            "  shapegen inspect FILE.tpl [--json]\n"
-           "  shapegen export FILE.tpl -o FILE.{svg,stl,vtu,csv} [--shape NAME|INDEX]\n\n"
+           "  shapegen export FILE.tpl -o FILE.{svg,stl,obj,vtu,csv} [--shape NAME|INDEX]\n"
+           "  shapegen export FILE.tpl -o FILE --format "
+           "liggghts|lammps|yade|mercurydpm|dem-engine\n\n"
            "A PROFILE is the generating curve of a surface of revolution; a MESH is a .stl, .obj, "
            ".ply, .off,\n.gltf or .glb file.\n\n"
         << cook_options() << '\n'
@@ -229,11 +238,22 @@ Command parse_export(const Words& words) {
     PrintCommand print;
     if (wants_words(values, print)) return print;
     if (values.count("output") == 0) {
-        throw UsageError("command line", "found no -o, expected -o FILE.{svg,stl,vtu,csv}");
+        throw UsageError("command line", "found no -o, expected -o FILE.{svg,stl,obj,vtu,csv}");
     }
-    return ExportCommand{
-        one_input(values, "a .tpl file"), values["output"].as<std::string>(),
-        values.count("shape") != 0 ? values["shape"].as<std::string>() : std::string()};
+    ExportCommand command;
+    command.input = one_input(values, "a .tpl file");
+    command.output = values["output"].as<std::string>();
+    if (values.count("shape") != 0) command.shape = values["shape"].as<std::string>();
+    if (values.count("format") != 0) command.format = values["format"].as<std::string>();
+    const auto density = values["density"].as<std::string>();
+    try {
+        command.density = parse_quantity(density, Dimension::density);
+    } catch (const Error& error) {
+        throw UsageError("--density", error.what());
+    }
+    if (!(command.density > 0.0))
+        throw UsageError("--density", "found '" + density + "', expected a density above 0");
+    return command;
 }
 
 }  // namespace

@@ -27,10 +27,12 @@ struct InspectCommand {
     bool as_json = false;
 };
 
-/// `shapegen export FILE.tpl -o FILE.{svg,stl,vtu,csv}`
+/// `shapegen export FILE.tpl -o FILE.{svg,stl,obj,vtu,csv}` or `... -o FILE --format CODE`
 struct ExportCommand {
     std::filesystem::path input, output;
-    std::string shape;  ///< name or index; "" when the file holds one shape
+    std::string shape;     ///< name or index; "" when the file holds one shape
+    std::string format;    ///< of another code; "": by the extension of the output
+    double density = 1e3;  ///< for the masses of other codes [kg/m^3]
 };
 
 /// `--help` or `--version`: words for stdout.

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/run_command.hpp"
 
+#include "common/atomic_file.hpp"
 #include "common/error.hpp"
 #include "common/progress.hpp"
+#include "formats/clump_export.hpp"
 #include "formats/profile_file.hpp"
 #include "formats/template_reader.hpp"
 #include "formats/template_summary.hpp"
 #include "formats/template_writer.hpp"
+#include "shapegen/picture/convergence_plot.hpp"
 #include "shapegen/pipeline/export.hpp"
 
 #include <array>
@@ -72,6 +75,12 @@ Cooked cook_profile(const CookCommand& command) {
     return cooked;
 }
 
+void write_convergence(const std::filesystem::path& path, const std::string& name,
+                       const std::vector<ConvergenceRow>& rows) {
+    write_file(path,
+               path.extension() == ".svg" ? convergence_plot(name, rows) : convergence_csv(rows));
+}
+
 Cooked cook_solid(const CookCommand& command) {
     LateProgress progress("shapegen " + command.input.filename().string(), command.is_quiet);
     constexpr double loading = 0.1;  // of the time
@@ -80,12 +89,17 @@ Cooked cook_solid(const CookCommand& command) {
     const Solid solid = load_solid(command.input, mesh);
     ClumpRequest request = command.clump->request;
     request.options.progress = part(progress, loading, 1.0);
-    return {cook_clump(solid, request), solid.hash, solid.lines};
+    request.wants_convergence = !command.clump->convergence.empty();
+    CookedClump clump = cook_clump(solid, request);
+    if (request.wants_convergence)
+        write_convergence(command.clump->convergence, solid.name, clump.convergence);
+    return {std::move(clump.shape), solid.hash, solid.lines};
 }
 
 void run(const CookCommand& command, std::ostream& out) {
     const auto start = std::chrono::steady_clock::now();
     keep_input(command.input, command.output);
+    if (command.clump) keep_input(command.input, command.clump->convergence);
     Cooked cooked = command.clump ? cook_solid(command) : cook_profile(command);
     TemplateFile result;
     result.command = command.text;
@@ -112,7 +126,11 @@ void run(const InspectCommand& command, std::ostream& out) {
 void run(const ExportCommand& command, std::ostream&) {
     keep_input(command.input, command.output);
     const TemplateFile file = read_template(command.input);
-    export_shape(find_shape(file, command.input.string(), command.shape), command.output);
+    const ParticleTemplate& shape = find_shape(file, command.input.string(), command.shape);
+    if (command.format.empty())
+        export_shape(shape, command.output);
+    else
+        write_clump_file(command.output, shape, command.format, command.density);
 }
 
 void run(const PrintCommand& command, std::ostream& out) {

@@ -18,6 +18,7 @@ Certificate clump_certificate(const BuiltClump& clump, const MassBalance& masses
             {"slope_rms", q.slope_rms * 180.0 / pi},
             {"ceiling", clump.ceiling},
             {"mass_tolerance", masses.tolerance},
+            {"mass_product_tolerance", masses.product_tolerance},
             {"mass_center_tolerance", masses.center_tolerance},
             {"display_mesh_error_max", display_mesh_error}};
 }

@@ -48,8 +48,7 @@ class ClumpMaker::Impl {
     BuiltClump clump_within(double rms_deviation);
 
   private:
-    std::vector<Ball> inscribed(const CoverGoal& goal);
-    BuiltClump attempt(const CoverGoal& goal);
+    BuiltClump finished(const CoverSearch& search);
     [[noreturn]] void refuse(double coverage);
     void say(double done, std::string_view next) const {
         if (options_.progress) options_.progress(done, next);
@@ -63,24 +62,10 @@ class ClumpMaker::Impl {
     CandidatePool pool_;
 };
 
-/// The chosen candidates; more candidates are made where these are all but used up.
-std::vector<Ball> ClumpMaker::Impl::inscribed(const CoverGoal& goal) {
-    while (true) {
-        CellCover cover(cells_);
-        const std::vector<std::uint32_t> chosen =
-            choose_cover(pool_.balls(), goal, options_.sweeps, cover);
-        if (goal.coverage >= 1.0 && !pool_.has_room_for(cover.coverage()) && pool_.extend())
-            continue;
-        std::vector<Ball> balls;
-        for (const std::uint32_t i : chosen) balls.push_back(pool_.balls()[i]);
-        return balls;
-    }
-}
-
-BuiltClump ClumpMaker::Impl::attempt(const CoverGoal& goal) {
+/// The chosen candidates, fitted unless that is left out, and judged.
+BuiltClump ClumpMaker::Impl::finished(const CoverSearch& search) {
     BuiltClump result;
-    say(0.0, "choosing spheres");
-    result.balls = inscribed(goal);
+    for (const std::uint32_t i : search.chosen()) result.balls.push_back(pool_.balls()[i]);
     result.ceiling = pool_.ceiling();
     if (!options_.is_inscribed) {
         say(0.7, "fitting");
@@ -95,18 +80,21 @@ BuiltClump ClumpMaker::Impl::attempt(const CoverGoal& goal) {
 }
 
 BuiltClump ClumpMaker::Impl::clump(const CoverGoal& goal) {
-    if (goal.coverage >= 1.0) return attempt(goal);
-    while (!pool_.has_room_for(goal.coverage) && pool_.extend()) {
+    const bool wants_coverage = goal.coverage < 1.0;
+    say(0.0, "choosing spheres");
+    while (wants_coverage && !pool_.has_room_for(goal.coverage) && pool_.extend()) {
     }
-    if (pool_.ceiling() < goal.coverage) refuse(goal.coverage);
-    // Coverage is counted on other cells than the judge's, so the first try may fall short.
+    CoverSearch search(cells_);
     CoverGoal inner = goal;
-    for (int tries = 0; tries < 4; ++tries) {
-        BuiltClump result = attempt(inner);
+    while (!wants_coverage || inner.coverage <= pool_.ceiling()) {
+        search.reach(pool_.balls(), inner, options_.sweeps);
+        // Where the candidates are all but used up, more of them may do better.
+        if (!wants_coverage && !pool_.has_room_for(search.coverage()) && pool_.extend()) continue;
+        BuiltClump result = finished(search);
         const double missing = goal.coverage - result.quality.coverage;
-        if (missing <= 0.0) return result;
-        inner.coverage += 1.1 * missing;
-        if (inner.coverage > pool_.ceiling()) break;
+        if (!wants_coverage || missing <= 0.0) return result;
+        // Coverage was counted on other cells than the judge's.
+        inner.coverage = std::max(inner.coverage, search.coverage()) + 1.1 * missing;
     }
     refuse(goal.coverage);
 }

@@ -2,7 +2,6 @@
 #include "shapegen/clump/candidate_pool.hpp"
 
 #include "shapegen/clump/candidates.hpp"
-#include "shapegen/clump/cover.hpp"
 #include "shapegen/voxel/voxelize.hpp"
 
 namespace dem {
@@ -10,22 +9,24 @@ namespace dem {
 CandidatePool::CandidatePool(const SurfaceQuery& surface, double volume, const VoxelImage& cells,
                              const CandidateOptions& options)
     : surface_(surface),
-      cells_(cells),
+      covered_(cells),
       options_(options),
       seeds_(static_cast<std::size_t>(0.5 * square(options.per_diameter))),
       most_seeds_(16 * seeds_) {
     const VoxelImage image = voxelize(surface.mesh(), voxel_spacing(volume, options.per_diameter));
-    balls_ = skeletal_balls(surface, image, options.skeleton, options.min_radius);
-    ceiling_ = dem::ceiling(balls_, cells_);
+    append(skeletal_balls(surface, image, options.skeleton, options.min_radius));
 }
 
 bool CandidatePool::extend() {
     if (seeds_ > most_seeds_) return false;
-    const std::vector<Ball> more = surface_seeded_balls(surface_, seeds_, options_.min_radius);
-    balls_.insert(balls_.end(), more.begin(), more.end());
-    ceiling_ = dem::ceiling(balls_, cells_);
+    append(surface_seeded_balls(surface_, seeds_, options_.min_radius));
     seeds_ *= 4;
     return true;
+}
+
+void CandidatePool::append(const std::vector<Ball>& balls) {
+    for (const Ball& ball : balls) covered_.mark(ball);
+    balls_.insert(balls_.end(), balls.begin(), balls.end());
 }
 
 }  // namespace dem

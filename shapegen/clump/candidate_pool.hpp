@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "shapegen/clump/ball.hpp"
+#include "shapegen/clump/cell_cover.hpp"
 #include "shapegen/surface/surface_query.hpp"
 #include "shapegen/thinning/thin.hpp"
-#include "shapegen/voxel/voxel_image.hpp"
 
 #include <vector>
 
@@ -22,27 +21,30 @@ struct CandidateOptions {
 class CandidatePool {
   public:
     /// `volume` [m^3] is the solid's; coverage is counted on `cells`, which are the solid's.
-    /// Everything is kept by reference but the options.
+    /// The surface is kept by reference.
     CandidatePool(const SurfaceQuery& surface, double volume, const VoxelImage& cells,
                   const CandidateOptions& options);
 
     const std::vector<Ball>& balls() const { return balls_; }
-    double ceiling() const { return ceiling_; }  ///< coverage that all of them reach together
+    double ceiling() const {
+        return covered_.coverage();
+    }  ///< coverage that all of them reach together
 
     /// A goal at the very ceiling would take every small ball there is; this is asked before a
     /// coverage is tried, or after it came out.
-    bool has_room_for(double coverage) const { return 1.0 - ceiling_ <= 0.5 * (1.0 - coverage); }
+    bool has_room_for(double coverage) const { return 1.0 - ceiling() <= 0.5 * (1.0 - coverage); }
 
     /// Adds candidates, each time from four times as many points. False: there are enough.
     bool extend();
 
   private:
+    void append(const std::vector<Ball>& balls);
+
     const SurfaceQuery& surface_;
-    const VoxelImage& cells_;
+    CellCover covered_;  ///< by all candidates
     CandidateOptions options_;
     std::size_t seeds_, most_seeds_;
     std::vector<Ball> balls_;
-    double ceiling_ = 0.0;
 };
 
 }  // namespace dem

@@ -18,7 +18,7 @@ double largest_radius(const SurfaceQuery& surface) {
 template <class Make>
 std::vector<Ball> collect(std::size_t count, double min_radius, const Make& make) {
     std::vector<Ball> balls(count);
-#pragma omp parallel for schedule(dynamic, 64)
+#pragma omp parallel for schedule(dynamic, 64) if (count >= 1000)
     for (std::size_t i = 0; i < count; ++i) balls[i] = make(i);
     std::erase_if(balls, [&](const Ball& b) { return !(b.radius > std::max(min_radius, 0.0)); });
     return balls;

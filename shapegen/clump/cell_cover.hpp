@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "shapegen/clump/ball_rows.hpp"
+#include "shapegen/clump/ball.hpp"
+#include "shapegen/voxel/voxel_image.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -10,6 +11,9 @@ namespace dem {
 
 /// Which cells of a solid are covered by how many balls. A cell counts as covered when its center
 /// is; the cells are so many that those cut by a surface average out. Balls may be taken out again.
+///
+/// Cells lie in bricks of 4 x 4 x 4, one bit each in a word. Once most of the solid is covered most
+/// words are zero, so that what a ball would gain costs little more than looking at them.
 class CellCover {
   public:
     /// Nothing is covered.
@@ -17,6 +21,7 @@ class CellCover {
 
     std::size_t cells() const { return cells_; }
     std::size_t uncovered() const { return uncovered_count_; }
+    double cell_size() const { return grid_.spacing; }  ///< [m]
     double coverage() const {
         return 1.0 - static_cast<double>(uncovered_count_) / static_cast<double>(cells_);
     }
@@ -38,20 +43,19 @@ class CellCover {
     void erase(const Ball& ball);
 
   private:
-    std::size_t row(int j, int k) const {
-        return (static_cast<std::size_t>(k) * static_cast<std::size_t>(uncovered_.grid().size[1]) +
-                static_cast<std::size_t>(j)) *
-               row_words_;
-    }
+    template <class Visit>
+    void visit_bricks(const Ball& ball, const Visit& visit) const;
     template <class Visit>
     void take_out(const Ball& ball, const Visit& visit);
+    Vec3 center(std::size_t brick, int bit) const;
 
-    std::size_t row_words_;
-    VoxelImage solid_;
-    VoxelImage uncovered_;
-    std::vector<std::uint16_t> counts_;  ///< of balls per cell, also outside the solid
-    std::size_t cells_;
-    std::size_t uncovered_count_;
+    VoxelGrid grid_;
+    std::array<int, 3> bricks_{};  ///< along each axis
+    std::vector<VoxelWord> solid_;
+    std::vector<VoxelWord> uncovered_;
+    std::vector<std::uint16_t> counts_;  ///< of balls per cell, from the first one inserted on
+    std::size_t cells_ = 0;
+    std::size_t uncovered_count_ = 0;
 };
 
 }  // namespace dem

@@ -38,26 +38,116 @@ Assignment assign(std::span<const SurfaceSample> samples, std::span<const Ball> 
     return result;
 }
 
-/// One damped Gauss-Newton step for least squares of |x - c| - r. A patch that is nearly flat says
-/// little about c along its normal and r at once; the damping keeps both where they are.
-Ball improved(const Ball& ball, std::span<const SurfaceSample> samples,
-              std::span<const std::uint32_t> own) {
-    constexpr double damping = 1e-3;
-    Mat4 normal = Mat4::Zero();
-    Vec4 right = Vec4::Zero();
-    for (const std::uint32_t i : own) {
-        const Vec3 way = samples[i].point - ball.center;
-        const double length = way.norm();
-        if (length == 0.0) continue;
-        Vec4 row;
-        row << way / length, 1.0;  // minus the derivative of the residual by (c, r)
-        normal.noalias() += row * row.transpose();
-        right += (length - ball.radius) * row;
+/// The surface points that a ball is to follow.
+class Patch {
+  public:
+    Patch(std::span<const SurfaceSample> samples, std::span<const std::uint32_t> own)
+        : samples_(samples), own_(own) {}
+
+    double sum_of_squares(const Ball& ball) const {
+        double sum = 0.0;
+        for (const std::uint32_t i : own_)
+            sum += square((samples_[i].point - ball.center).norm() - ball.radius);
+        return sum;
     }
-    normal.diagonal().array() += damping * static_cast<double>(own.size());
-    const Vec4 step = normal.ldlt().solve(right);
-    return {ball.center + step.head<3>(), ball.radius + step[3]};
-}
+
+    /// One damped Gauss-Newton step for least squares of |x - c| - r. A patch that is nearly flat
+    /// says little about c along its normal and r at once; the damping keeps both where they are.
+    Vec4 free_step(const Ball& ball) const {
+        Mat4 normal = Mat4::Zero();
+        Vec4 right = Vec4::Zero();
+        add_up(ball, [&](const Vec3& way, double residual) {
+            Vec4 row;
+            row << way, 1.0;  // minus the derivative of the residual by (c, r)
+            normal.noalias() += row * row.transpose();
+            right += residual * row;
+        });
+        normal.diagonal().array() += damping * static_cast<double>(own_.size());
+        return normal.ldlt().solve(right);
+    }
+
+    /// The same of c alone for a ball as large as its place allows: r grows with the distance from
+    /// the surface, that is by `inward` . dc.
+    Vec3 sliding_step(const Ball& ball, const Vec3& inward) const {
+        Mat3 normal = Mat3::Zero();
+        Vec3 right = Vec3::Zero();
+        add_up(ball, [&](const Vec3& way, double residual) {
+            const Vec3 row = way + inward;
+            normal.noalias() += row * row.transpose();
+            right += residual * row;
+        });
+        normal.diagonal().array() += damping * static_cast<double>(own_.size());
+        return normal.ldlt().solve(right);
+    }
+
+  private:
+    static constexpr double damping = 1e-3;
+
+    /// Calls add(unit vector from the center to a point, its residual) for every point.
+    template <class Add>
+    void add_up(const Ball& ball, const Add& add) const {
+        for (const std::uint32_t i : own_) {
+            const Vec3 way = samples_[i].point - ball.center;
+            const double length = way.norm();
+            if (length > 0.0) add(way / length, length - ball.radius);
+        }
+    }
+
+    std::span<const SurfaceSample> samples_;
+    std::span<const std::uint32_t> own_;
+};
+
+/// A step may be too long, above all where a ball is as large as it may be: it is halved until the
+/// ball follows its points better.
+class Improvement {
+  public:
+    Improvement(const SurfaceQuery& surface, const Patch& patch, const FitOptions& options,
+                const Ball& ball)
+        : surface_(surface),
+          patch_(patch),
+          options_(options),
+          start_(ball),
+          best_(ball),
+          least_(patch.sum_of_squares(ball)) {}
+
+    Ball operator()() {
+        const Vec4 step = patch_.free_step(start_);
+        try_along(step.head<3>(), step[3]);
+        const SurfacePoint near = surface_.nearest(start_.center);
+        const bool is_full = start_.radius > 0.999 * (near.distance + options_.protrusion);
+        if (is_full && near.distance > 0.0) {
+            const Vec3 inward = (start_.center - near.point) / near.distance;
+            const Vec3 slide = patch_.sliding_step(start_, inward);
+            try_along(slide, slide.norm());  // the place caps the radius
+        }
+        return best_;
+    }
+
+  private:
+    void try_along(const Vec3& step, double growth) {
+        constexpr int halvings = 4;
+        double part = 1.0;
+        for (int n = 0; n <= halvings; ++n, part *= 0.5) {
+            const Vec3 center = start_.center + part * step;
+            const double depth = -surface_.signed_distance(center);
+            const double radius =
+                std::min(start_.radius + part * growth, depth + options_.protrusion);
+            if (!(depth > 0.0) || radius < options_.min_radius) continue;
+            const Ball ball{center, radius};
+            const double sum = patch_.sum_of_squares(ball);
+            if (sum >= least_) continue;
+            least_ = sum;
+            best_ = ball;
+            return;
+        }
+    }
+
+    const SurfaceQuery& surface_;
+    const Patch& patch_;
+    const FitOptions& options_;
+    Ball start_, best_;
+    double least_;
+};
 
 }  // namespace
 
@@ -72,16 +162,14 @@ void fit(const SurfaceQuery& surface, std::span<const SurfaceSample> samples,
             best = balls;
         }
         if (step == options.steps) break;
-#pragma omp parallel for schedule(dynamic, 16)
+#pragma omp parallel for schedule(dynamic, 16) if (balls.size() >= 200)
         for (std::size_t b = 0; b < balls.size(); ++b) {
             const auto own =
                 std::span(assignment.samples)
                     .subspan(assignment.begin[b], assignment.begin[b + 1] - assignment.begin[b]);
             if (own.empty()) continue;
-            Ball next = improved(balls[b], samples, own);
-            const double depth = -surface.signed_distance(next.center);
-            next.radius = std::min(next.radius, depth + options.protrusion);
-            if (depth > 0.0 && next.radius >= options.min_radius) balls[b] = next;
+            const Patch patch(samples, own);
+            balls[b] = Improvement(surface, patch, options, balls[b])();
         }
     }
     balls = best;

@@ -19,7 +19,8 @@ struct FitOptions {
 /// Moves and resizes balls until their union follows the surface of the solid best in the sense of
 /// least squares: each point of the surface is assigned to the ball it is nearest to, or deepest
 /// in, and each ball takes a damped Gauss-Newton step on its own points; again and again. A ball
-/// keeps its center inside. The points (SurfaceSample) each stand for the same area.
+/// keeps its center inside, and one that may not grow slides to where it may. The points
+/// (SurfaceSample) each stand for the same area.
 void fit(const SurfaceQuery& surface, std::span<const SurfaceSample> samples,
          const FitOptions& options, std::vector<Ball>& balls);
 

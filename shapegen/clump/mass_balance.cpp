@@ -60,13 +60,12 @@ class Program {
     }
 
     /// The masses, or nothing when center and moments cannot be met within the tolerances.
-    std::optional<std::vector<double>> solve(double center_tolerance, double tolerance) {
+    std::optional<std::vector<double>> solve(double center_tolerance, double product_tolerance,
+                                             double tolerance) {
         set_row(1, 1.0, 0.0);
         for (int r = 0; r < 3; ++r) set_row(2 + r, 0.0, center_tolerance * diameter_);
-        for (int r = 0; r < 6; ++r) {
-            const double wanted = r < 3 ? moments_[r] : 0.0;
-            set_row(5 + r, wanted, tolerance * (r < 3 ? wanted : moments_.mean()));
-        }
+        for (int r = 0; r < 3; ++r) set_row(5 + r, moments_[r], tolerance * moments_[r]);
+        for (int r = 0; r < 3; ++r) set_row(8 + r, 0.0, product_tolerance * moments_.mean());
         glp_smcp settings;
         glp_init_smcp(&settings);
         settings.msg_lev = GLP_MSG_OFF;
@@ -138,17 +137,26 @@ std::optional<Solution> least_tolerance(const Solve& solve) {
 MassBalance balance_masses(std::span<const Ball> balls, const MassProperties& body) {
     constexpr double any = 1e3;
     Program program(balls, body);
-    const auto center = least_tolerance([&](double t) { return program.solve(t, any); });
+    const auto least = [](const auto& solve) {
+        const auto found = least_tolerance(solve);
+        if (!found)
+            throw Error("clump",
+                        "found no masses for its spheres, expected them by linear programming");
+        return *found;
+    };
     // At the very limit rounding may leave no way at all.
-    const double allowed = center ? center->tolerance * (1.0 + 1e-6) : 0.0;
-    const auto solution = least_tolerance([&](double t) { return program.solve(allowed, t); });
-    if (!center || !solution)
-        throw Error("clump",
-                    "found no masses for its spheres, expected them by linear programming");
+    constexpr double room = 1.0 + 1e-6;
     MassBalance result;
-    result.center_tolerance = allowed;
-    result.tolerance = solution->tolerance;
-    for (const double mass : solution->masses) result.shares.push_back(mass * body.volume);
+    result.center_tolerance =
+        room * least([&](double t) { return program.solve(t, any, any); }).tolerance;
+    result.product_tolerance = room * least([&](double t) {
+                                          return program.solve(result.center_tolerance, t, any);
+                                      }).tolerance;
+    const Solution solution = least([&](double t) {
+        return program.solve(result.center_tolerance, result.product_tolerance, t);
+    });
+    result.tolerance = solution.tolerance;
+    for (const double mass : solution.masses) result.shares.push_back(mass * body.volume);
     return result;
 }
 

@@ -15,6 +15,8 @@ struct MassBalance {
     std::vector<double> shares;  ///< [m^3], one per ball, none negative
     /// The largest relative error of a moment that had to be allowed; 0 when all can be met.
     double tolerance = 0.0;
+    /// The same of a product of inertia, relative to the mean moment.
+    double product_tolerance = 0.0;
     /// How far off the center had to be, along each body axis [d_eq]; 0 but for a few spheres that
     /// do not surround it.
     double center_tolerance = 0.0;
@@ -23,8 +25,8 @@ struct MassBalance {
 /// Solves [MS Eqs. 5-8] in the body frame by linear programming (GLPK): mass, center and principal
 /// moments of the body exactly, products of inertia zero, each sphere with its own 2/5 m r^2; the
 /// least density of a sphere is made as large as possible, so that none is left nearly empty. Where
-/// no masses do that, first the center, then the moments (and the products, by the same part of the
-/// mean moment) may be off by the least tolerance that works, found to one part in a thousand.
+/// no masses do that, first the center, then the products, then the moments may be off by the least
+/// tolerance that works, found to one part in a thousand.
 MassBalance balance_masses(std::span<const Ball> balls, const MassProperties& body);
 
 }  // namespace dem

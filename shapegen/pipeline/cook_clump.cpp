@@ -31,7 +31,7 @@ double bounding_radius(const Solid& solid, std::span<const Ball> balls) {
 
 }  // namespace
 
-ParticleTemplate cook_clump(const Solid& solid, const ClumpRequest& request) {
+CookedClump cook_clump(const Solid& solid, const ClumpRequest& request) {
     const double d_eq = equivalent_diameter(solid.mass_properties.volume);
     ClumpOptions options = request.options;
     if (request.min_radius > 0.0) options.min_radius = request.min_radius / d_eq;
@@ -39,7 +39,9 @@ ParticleTemplate cook_clump(const Solid& solid, const ClumpRequest& request) {
     const BuiltClump clump = build(maker, request.goal);
     const MassBalance masses = balance_masses(clump.balls, solid.mass_properties);
 
-    ParticleTemplate shape;
+    CookedClump result;
+    if (request.wants_convergence) result.convergence = convergence(maker, clump.balls.size());
+    ParticleTemplate& shape = result.shape;
     shape.name = solid.name;
     shape.mass_properties = solid.mass_properties;
     shape.mean_squared_surface_distance = solid.mean_squared_surface_distance;
@@ -54,7 +56,7 @@ ParticleTemplate cook_clump(const Solid& solid, const ClumpRequest& request) {
         spheres.push_back({c.x(), c.y(), c.z(), clump.balls[i].radius, masses.shares[i]});
     }
     shape.shape = make_clump(std::move(spheres));
-    return shape;
+    return result;
 }
 
 }  // namespace dem

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/shapes/particle_template.hpp"
-#include "shapegen/clump/build_clump.hpp"
+#include "shapegen/clump/convergence.hpp"
 #include "shapegen/pipeline/solid.hpp"
 
 namespace dem {
@@ -18,11 +18,17 @@ struct ClumpRequest {
     ClumpGoal goal;
     ClumpOptions options;
     double min_radius = 0.0;  ///< [m], when it is not given in d_eq
+    bool wants_convergence = false;
+};
+
+struct CookedClump {
+    ParticleTemplate shape;
+    std::vector<ConvergenceRow> convergence;  ///< when it was asked for
 };
 
 /// The template of a clump that stands for a solid: the solid's mass properties, exactly; spheres
 /// whose shares of the mass have them too, as far as its certificate says; a bounding radius that
 /// holds the solid and every sphere. Throws Error where no clump does what was asked.
-ParticleTemplate cook_clump(const Solid& solid, const ClumpRequest& request);
+CookedClump cook_clump(const Solid& solid, const ClumpRequest& request);
 
 }  // namespace dem

@@ -3,9 +3,14 @@
 
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
+#include "formats/clump_export.hpp"
 #include "formats/mesh_export.hpp"
+#include "formats/number_text.hpp"
+#include "shapegen/picture/clump_picture.hpp"
+#include "shapegen/picture/clump_surface.hpp"
 #include "shapegen/picture/shape_picture.hpp"
 
+#include <array>
 #include <charconv>
 
 namespace dem {
@@ -16,6 +21,33 @@ const SrShape& sr_shape(const ParticleTemplate& shape, const std::string& format
     if (const auto* sr = std::get_if<SrShape>(&shape.shape)) return *sr;
     throw Error(shape.name,
                 "found a shape of kind '" + kind_name(shape) + "', expected 'sr' for " + format);
+}
+
+/// Everything in the frame and the unit of the input, so that it lies on it.
+void export_clump(const ParticleTemplate& shape, const std::filesystem::path& path) {
+    const std::string extension = path.extension().string();
+    constexpr std::size_t most_triangles = 200'000;
+    const auto surfaces = [&shape] {
+        return std::array{in_input_frame(body_surface(shape), shape),
+                          in_input_frame(clump_surface(shape, most_triangles), shape)};
+    };
+    if (extension == ".csv") {
+        write_clump_csv(path, shape);
+    } else if (extension == ".svg") {
+        write_file(path, clump_picture(shape));
+    } else if (extension == ".stl") {
+        write_stl(path, surfaces()[1], shape.name, number_text(shape.input_unit) + " m");
+    } else if (extension == ".vtu") {
+        write_vtu(path, surfaces(), "deviation");
+    } else if (extension == ".obj") {
+        const std::array<std::string, 2> names{"body", "clump"};
+        write_obj(path, surfaces(), names);
+    } else {
+        throw UsageError(path.string(),
+                         "found the extension '" + extension +
+                             "', expected .csv, .vtu, .stl, .obj or .svg, or --format for another "
+                             "code");
+    }
 }
 
 }  // namespace
@@ -43,6 +75,7 @@ const ParticleTemplate& find_shape(const TemplateFile& file, const std::string& 
 }
 
 void export_shape(const ParticleTemplate& shape, const std::filesystem::path& path) {
+    if (std::holds_alternative<Clump>(shape.shape)) return export_clump(shape, path);
     const std::string extension = path.extension().string();
     if (extension == ".svg") {
         write_file(path, shape_picture(shape, sr_shape(shape, "a picture")));

@@ -4,7 +4,9 @@
 #include "tests/cli/program.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -48,10 +50,8 @@ std::string box(const Vec3& corner = Vec3(10.0, -20.0, 5.0)) {
 class ShapegenClump : public testing::Test {
   protected:
     void SetUp() override {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / ("clump_" + std::string(info->name()));
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
+        std::array<char, 40> name{"/tmp/shapegen_clump_XXXXXX"};
+        folder_ = mkdtemp(name.data());
     }
     void TearDown() override { fs::remove_all(folder_); }
 
@@ -156,6 +156,117 @@ TEST_F(ShapegenClump, ShowsItsCertificate) {
     EXPECT_EQ(certificate["moment_errors"].size(), 3U);
     // The largest ball in a box: of radius 1 in a volume of 24.
     EXPECT_NEAR(certificate["coverage"].get<double>(), 4.0 * pi / 3.0 / 24.0, 0.03);
+}
+
+/// Rows of numbers of a table, without what is no number.
+std::vector<std::vector<double>> numbers(const fs::path& path, char separator) {
+    std::vector<std::vector<double>> rows;
+    std::istringstream lines(content(path));
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with('#')) continue;
+        std::vector<double> row;
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, separator);) {
+            char* end = nullptr;
+            const double value = std::strtod(cell.c_str(), &end);
+            if (end != cell.c_str() && *end == '\0') row.push_back(value);
+        }
+        if (row.size() > 2) rows.push_back(row);
+    }
+    return rows;
+}
+
+TEST_F(ShapegenClump, ExportsSpheresThatLieOnTheInput) {
+    write("box.off", box());
+    cook("box.off --clump-spheres 12 --unit cm --scale 2" + coarse);
+    EXPECT_EQ(run("export out.tpl -o spheres.csv").code, 0);
+    const auto rows = numbers(folder_ / "spheres.csv", ',');
+    ASSERT_EQ(rows.size(), 12U);
+    double mass = 0.0;
+    Vec3 center = Vec3::Zero();
+    for (const auto& row : rows) {
+        ASSERT_EQ(row.size(), 5U);
+        const Vec3 offset = (Vec3(row[0], row[1], row[2]) - Vec3(11.0, -18.5, 7.0)).cwiseAbs();
+        EXPECT_GT((Vec3(1.0, 1.5, 2.0) - offset).minCoeff() - row[3], -0.05);
+        mass += row[4];
+        center += row[4] * Vec3(row[0], row[1], row[2]);
+    }
+    EXPECT_NEAR(mass, 24.0, 1e-9);
+    EXPECT_LT((center / mass - Vec3(11.0, -18.5, 7.0)).norm(), 1e-7);
+}
+
+TEST_F(ShapegenClump, ExportsPicturesAndSurfaces) {
+    write("box.off", box());
+    cook("box.off --clump-spheres 3" + coarse);
+    for (const char* name : {"c.vtu", "c.stl", "c.obj", "c.svg"})
+        EXPECT_EQ(run("export out.tpl -o " + std::string(name)).code, 0) << name;
+    const std::string vtu = content(folder_ / "c.vtu");
+    EXPECT_NE(vtu.find("Name=\"deviation\""), std::string::npos);
+    EXPECT_NE(vtu.find("Name=\"part\""), std::string::npos);
+    const std::string obj = content(folder_ / "c.obj");
+    EXPECT_NE(obj.find("o body\n"), std::string::npos);
+    EXPECT_NE(obj.find("o clump\n"), std::string::npos);
+    EXPECT_NE(content(folder_ / "c.svg").find("3 spheres; coverage"), std::string::npos);
+    // The box has 12 triangles, the spheres have the others.
+    const auto faces = std::count(obj.begin(), obj.end(), 'f');
+    EXPECT_EQ(fs::file_size(folder_ / "c.stl"), 84 + 50 * static_cast<std::size_t>(faces - 12));
+}
+
+TEST_F(ShapegenClump, WritesTheFilesOfOtherCodes) {
+    write("box.off", box());
+    const ParticleTemplate shape = cook("box.off --clump-spheres 6" + coarse);
+    const double mass = 2000.0 * shape.mass_properties.volume;
+    for (const char* code : {"liggghts", "lammps", "yade", "mercurydpm", "dem-engine"}) {
+        const std::string format = " --format " + std::string(code);
+        EXPECT_EQ(run("export out.tpl -o " + std::string(code) + format + " --density 2000").code,
+                  0)
+            << code;
+    }
+    const auto& spheres = std::get<Clump>(shape.shape).spheres;
+    const auto expect_spheres = [&](const fs::path& path, char separator, std::size_t columns) {
+        const auto rows = numbers(folder_ / path, separator);
+        ASSERT_EQ(rows.size(), spheres.size()) << path;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            ASSERT_EQ(rows[i].size(), columns) << path;
+            EXPECT_EQ(Vec3(rows[i][0], rows[i][1], rows[i][2]), spheres[i].center());
+            EXPECT_EQ(rows[i][3], spheres[i].radius);
+        }
+    };
+    expect_spheres("liggghts", ' ', 4);
+    expect_spheres("yade", ' ', 6);
+    expect_spheres("mercurydpm/clump/clump.txt", ',', 4);
+    expect_spheres("dem-engine", ',', 4);
+    EXPECT_NEAR(std::stod(content(folder_ / "mercurydpm/inertia/mass.txt")), mass, 1e-12 * mass);
+    const auto inertia = numbers(folder_ / "mercurydpm/inertia/toi.txt", ',');
+    ASSERT_EQ(inertia.size(), 3U);
+    EXPECT_NEAR(inertia[1][1], 2000.0 * shape.mass_properties.principal_moments_per_density.y(),
+                1e-12 * inertia[1][1]);
+    const std::string molecule = content(folder_ / "lammps");
+    for (const char* word : {"6 atoms\n", "0 0 0 com\n", "\nCoords\n\n1 ", "\nDiameters\n\n1 ",
+                             "\nMasses\n\n1 ", "\nTypes\n\n1 1\n"})
+        EXPECT_NE(molecule.find(word), std::string::npos) << word;
+    EXPECT_NE(run("export out.tpl -o x --format lamps").errors.find("did you mean 'lammps'?"),
+              std::string::npos);
+    EXPECT_NE(run("export out.tpl -o x --format yade --density -1").errors.find("density above 0"),
+              std::string::npos);
+    EXPECT_NE(run("export out.tpl -o x.docx").errors.find("expected .csv, .vtu"),
+              std::string::npos);
+}
+
+TEST_F(ShapegenClump, WritesTheConvergence) {
+    write("box.off", box());
+    cook("box.off --clump-spheres 3 --convergence table.csv" + coarse);
+    const auto rows = numbers(folder_ / "table.csv", ',');
+    ASSERT_EQ(rows.size(), 3U);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        EXPECT_EQ(rows[i].size(), 11U);
+        EXPECT_EQ(rows[i][0], static_cast<double>(i + 1));
+        if (i > 0) {
+            EXPECT_GT(rows[i][1], rows[i - 1][1]);
+        }
+    }
+    cook("box.off --clump-spheres 2 --convergence plot.svg" + coarse);
+    EXPECT_EQ(content(folder_ / "plot.svg").rfind("<svg", 0), 0U);
 }
 
 TEST_F(ShapegenClump, RefusesAWrongCommandLine) {

@@ -78,15 +78,29 @@ TEST(Cover, ExchangesCoverMoreWithAsManyBalls) {
     const VoxelImage cells = cube_cells();
     const std::vector<Ball> balls = test::random_balls(400, 3);
     const CoverGoal goal{.coverage = 1.0, .count = 15};
-    CellCover greedy(cells);
-    CellCover exchanged(cells);
-    choose_cover(balls, goal, 0, greedy);
-    const auto after = choose_cover(balls, goal, 10, exchanged);
-    EXPECT_EQ(after.size(), goal.count);
-    EXPECT_LT(exchanged.uncovered(), greedy.uncovered());
+    CoverSearch greedy(cells);
+    CoverSearch exchanged(cells);
+    greedy.reach(balls, goal, 0);
+    exchanged.reach(balls, goal, 10);
+    EXPECT_EQ(exchanged.chosen().size(), goal.count);
+    EXPECT_GT(exchanged.coverage(), greedy.coverage());
     std::vector<Ball> chosen;
-    for (const std::uint32_t i : after) chosen.push_back(balls[i]);
-    EXPECT_EQ(exchanged.uncovered(), count_uncovered(cells, chosen));
+    for (const std::uint32_t i : exchanged.chosen()) chosen.push_back(balls[i]);
+    EXPECT_EQ(exchanged.coverage(), 1.0 - static_cast<double>(count_uncovered(cells, chosen)) /
+                                              static_cast<double>(cells.count()));
+}
+
+TEST(Cover, GoesOnFromWhatIsChosenWithMoreCandidates) {
+    const VoxelImage cells = cube_cells();
+    const std::vector<Ball> balls = test::random_balls(400, 4);
+    CoverSearch search(cells);
+    search.reach(std::span(balls).first(100), {.coverage = 0.6}, 5);
+    EXPECT_GE(search.coverage(), 0.6);
+    search.reach(balls, {.coverage = 0.8}, 5);
+    EXPECT_GE(search.coverage(), 0.8);
+    CoverSearch at_once(cells);
+    at_once.reach(balls, {.coverage = 0.8}, 5);
+    EXPECT_LE(search.chosen().size(), at_once.chosen().size() + 3);
 }
 
 TEST(Cover, TakesOutBallsThatOthersCover) {
