@@ -5,6 +5,7 @@
 #include "common/shapes/clump.hpp"
 #include "shapegen/clump/candidate_pool.hpp"
 #include "shapegen/clump/fit.hpp"
+#include "shapegen/clump/match_volume.hpp"
 #include "shapegen/voxel/voxelize.hpp"
 
 #include <algorithm>
@@ -71,8 +72,9 @@ BuiltClump ClumpMaker::Impl::finished(const CoverSearch& search) {
         say(0.7, "fitting");
         const std::size_t count = std::max<std::size_t>(20'000, 60 * result.balls.size());
         const auto samples = surface_samples(surface_.mesh(), count);
-        fit(surface_, samples, {options_.protrusion * d_eq_, options_.min_radius * d_eq_, 40},
-            result.balls);
+        const FitOptions fitting{options_.protrusion * d_eq_, options_.min_radius * d_eq_, 40};
+        fit(surface_, samples, fitting, result.balls);
+        match_volume(surface_, d_eq_, fitting, result.balls);
     }
     say(0.9, "judging");
     result.quality = judge(surface_, properties_.volume, result.balls);

@@ -58,7 +58,7 @@ TEST(BuildClump, FitHalvesTheDeviation) {
     ASSERT_EQ(fitted.balls.size(), 20U);
     EXPECT_LT(fitted.quality.rms_deviation, 0.6 * inscribed.quality.rms_deviation);
     EXPECT_LE(fitted.quality.max_deviation_out, options.protrusion + 1e-9);
-    EXPECT_NEAR(fitted.quality.volume_ratio, 1.0, 0.005);
+    EXPECT_NEAR(fitted.quality.volume_ratio, 1.0, 0.001);
     EXPECT_LT(fitted.quality.moment_errors.cwiseAbs().maxCoeff(), 0.01);
 }
 
