@@ -44,6 +44,7 @@ constexpr std::array entries = {
     Entry{"moment_errors_z", "", "  the same about z"},
     Entry{"slope_rms", "deg", "direction of the surface, root mean square"},
     Entry{"mass_tolerance", "", "moments of the masses of the spheres, relative"},
+    Entry{"mass_product_tolerance", "", "their products of inertia, relative to the mean moment"},
     Entry{"mass_center_tolerance", "d_eq", "their center of mass"},
 };
 
