@@ -22,11 +22,12 @@ youngs_modulus = {modulus}
 poissons_ratio = 0.3
 [contact]
 model = hertz
-restitution = 0.6
+restitution = {restitution}
 friction = 0
 damping_mass = {damping_mass}
 contact = {contact}
 radius = {radius}
+{more}
 [particles.tablets]
 template = {template}
 material = tablet
@@ -73,23 +74,29 @@ class Tablet:
         return spin * lever - RESTITUTION * SPEED, spin
 
 
-def rebound(name, tablet, **options):
+def rebound(name, tablet, gap=GAP, **options):
     """Velocity [m/s] (down positive) and spin [rad/s] at the end of the first contact."""
+    velocity, spin = states_after(name, tablet, gap, **options)
+    return -velocity, -spin[:, 1]  # the tablet is tilted about -y
+
+
+def states_after(name, tablet, gap=GAP, **options):
+    """Upward velocity [m/s] and angular velocity (n, 3) [rad/s] at the end of the first contact."""
     bodies = write_bodies(name, [
-        {"x": 0.02 * k, "z": tablet.height(t) + GAP, "qw": np.cos(t / 2), "qy": np.sin(t / 2), "vz": -SPEED}
+        {"x": 0.02 * k, "z": tablet.height(t) + gap, "qw": np.cos(t / 2), "qy": np.sin(t / 2), "vz": -SPEED}
         for k, t in enumerate(ANGLES)])
     settings = {"modulus": 2.99e9, "step": 1e-7, "contact": "continuous", "damping_mass": "contact",
-                "radius": "onset"} | options
+                "radius": "onset", "restitution": RESTITUTION, "more": ""} | options
     run = Run(name, CASE.format(template=tablet.template, bodies=bodies, **settings))
     _, frames = run.frames()
-    velocity, spin = frames["velocity"][:, :, 2], frames["angular_velocity"][:, :, 1]
+    velocity = frames["velocity"][:, :, 2]
     first = []
     for k in range(len(ANGLES)):
         changed = velocity[:, k] != velocity[0, k]
         steady = changed[1:] & (np.diff(velocity[:, k]) == 0)
         first.append(1 + np.argmax(steady) if steady.any() else -1)
     rows = np.arange(len(ANGLES))
-    return -velocity[first, rows], -spin[first, rows]  # the tablet is tilted about -y
+    return velocity[first, rows], frames["angular_velocity"][first, rows]
 
 
 def main():

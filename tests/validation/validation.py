@@ -31,7 +31,7 @@ def cook(profile, *options):
         source.write_text(profile)
     else:
         source = ROOT / f"data/profiles/{profile}.profile"
-        name = profile + "".join(o.replace("-", "_") for o in options)
+        name = profile + "".join(o.replace("-", "_").replace("%", "") for o in options)
     template = WORK / f"{name}.tpl"
     subprocess.run([BIN / "shapegen", source, "-o", template, "--quiet", *options], check=True)
     return template
