@@ -31,6 +31,12 @@ double hertz_time(double m, double R, double Y, double speed) {
     return 2.8683 * std::pow(square(m) / (R * square(Y) * speed), 0.2);
 }
 
+// Shortest contact of a body under the linear law, and whether it has another law as well.
+struct LinearContacts {
+    double shortest = infinite;
+    bool has_other = false;
+};
+
 struct UsedMaterials {
     std::set<std::uint32_t> bodies, walls;
 };
@@ -43,13 +49,32 @@ double shortest_contact(const Scene& scene, const BodyKind& kind, const UsedMate
     double shortest = infinite;
     for (const std::uint32_t other : used.bodies) {
         const double Y = scene.laws.at(kind.material, other).youngs_modulus;
+        if (!(Y > 0.0)) continue;  // a linear law
         shortest = std::min(shortest, hertz_time(0.5 * kind.mass, 0.5 * radius, Y, speed));
     }
     for (const std::uint32_t other : used.walls) {
         const double Y = scene.laws.at(kind.material, other).youngs_modulus;
+        if (!(Y > 0.0)) continue;
         shortest = std::min(shortest, hertz_time(kind.mass, radius, Y, speed));
     }
     return shortest;
+}
+
+LinearContacts linear_contacts(const Scene& scene, const BodyKind& kind,
+                               const UsedMaterials& used) {
+    LinearContacts contacts;
+    const auto look_at = [&](std::uint32_t other, double mass) {
+        const ContactLaw& law = scene.laws.at(kind.material, other);
+        if (law.model != ContactLaw::Model::linear) {
+            contacts.has_other = true;
+            return;
+        }
+        contacts.shortest =
+            std::min(contacts.shortest, law.contact_time * std::sqrt(mass / law.normal_stiffness));
+    };
+    for (const std::uint32_t other : used.bodies) look_at(other, 0.5 * kind.mass);
+    for (const std::uint32_t other : used.walls) look_at(other, kind.mass);
+    return contacts;
 }
 
 std::string text(double value, const char* unit = " s") {
@@ -71,12 +96,15 @@ std::uint64_t step_count(const RunSettings& run, double dt, const std::string& w
 }
 
 TimeStep time_step(const Scene& scene) {
-    TimeStep step{infinite, infinite, largest_expected_speed(scene), infinite, 0.0};
+    TimeStep step{infinite, infinite, infinite, largest_expected_speed(scene), infinite, 0.0};
     UsedMaterials used;
     for (const BodyKind& kind : scene.kinds) used.bodies.insert(kind.material);
     for (const Wall& wall : scene.walls) used.walls.insert(wall.material);
     for (const BodyKind& kind : scene.kinds) {
         if (kind.inverse_inertia.mass == 0.0) continue;
+        const LinearContacts linear = linear_contacts(scene, kind, used);
+        step.linear = std::min(step.linear, 0.4 * linear.shortest);
+        if (!linear.has_other) continue;
         const double radius = equivalent_radius(scene, kind);
         step.rayleigh =
             std::min(step.rayleigh, rayleigh_time(scene.materials[kind.material], radius));
@@ -85,7 +113,7 @@ TimeStep time_step(const Scene& scene) {
                 std::min(step.hertz, shortest_contact(scene, kind, used, step.largest_speed));
         }
     }
-    step.critical = std::min(step.rayleigh, step.hertz);
+    step.critical = std::min({step.rayleigh, step.hertz, step.linear});
     if (scene.run.time_step) {
         step.value = *scene.run.time_step;
         if (step.value > step.critical && !scene.run.time_step_force) {

@@ -79,6 +79,15 @@ ContactLaw law_of(const Scene& scene, const CaseSection& section, std::uint32_t 
     }
     const ContactLaw law_options = options(values);
     check_method(scene, values, law_options, a, b);
+    if (law_options.model == ContactLaw::Model::linear) {
+        for (const char* key : {"normal_stiffness", "tangential_restitution"}) {
+            if (values.has(key)) continue;
+            throw Error(section.where, "no " + std::string(key) + " for " + pair_text(scene, a, b) +
+                                           ", which model = linear needs");
+        }
+        return linear_law(values.number("normal_stiffness"), values.number("restitution"),
+                          values.number("tangential_restitution"), law_options);
+    }
     const auto elasticity = [&](std::uint32_t m) {
         return Elasticity{scene.materials[m].youngs_modulus, scene.materials[m].poissons_ratio};
     };

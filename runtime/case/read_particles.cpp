@@ -92,7 +92,11 @@ std::uint32_t ParticleGroupReader::kind_of(const BodyKind& wanted, bool is_fixed
     const double density = scene.materials[kind.material].density;
     kind.mass = density * properties.volume;
     kind.inertia = density * properties.principal_moments_per_density;
-    if (!is_fixed) kind.inverse_inertia = {1.0 / kind.mass, kind.inertia.cwiseInverse()};
+    if (!is_fixed) {
+        const double surface = scene.shapes[kind.shape].mean_squared_surface_distance;
+        kind.inverse_inertia = {1.0 / kind.mass, kind.inertia.cwiseInverse(),
+                                surface / kind.inertia.mean()};
+    }
     scene.kinds.push_back(kind);
     return entry->second;
 }

@@ -93,7 +93,6 @@ void describe(const Scene& scene, const InsertionGroup& group, std::ostringstrea
 }
 
 void describe(const TimeStep& step, const RunSettings& run, std::ostringstream& out) {
-    const bool rayleigh = step.rayleigh < step.hertz;
     out << "time step: " << step.value << " s, ";
     if (run.time_step) {
         out << "given; ";
@@ -101,7 +100,10 @@ void describe(const TimeStep& step, const RunSettings& run, std::ostringstream& 
         out << "1/" << run.time_step_fraction << " of ";
     }
     out << "the critical time " << step.critical << " s ("
-        << (rayleigh ? "Rayleigh's" : "Hertz's at " + std::to_string(step.largest_speed) + " m/s")
+        << (step.critical == step.linear ? "0.4 of the linear law's contact"
+            : step.critical == step.rayleigh
+                ? "Rayleigh's"
+                : "Hertz's at " + std::to_string(step.largest_speed) + " m/s")
         << ")\n";
 }
 

@@ -23,6 +23,8 @@ namespace dem {
 struct InverseInertia {
     double mass = 0.0;            ///< 1/m [1/kg]
     Vec3 moments = Vec3::Zero();  ///< 1/I about the body's principal axes [1/(kg m^2)]
+    /// Mean squared distance of the surface over the mean moment of inertia, [GC] Eq. 13 [1/kg].
+    double surface = 0.0;
 };
 
 /// Motion of one body. For a wall: of its reference point.
@@ -40,7 +42,7 @@ struct PairState {
 
 /// Force law of one pair of materials, with everything that does not change during a run derived.
 struct ContactLaw {
-    enum class Model : std::uint8_t { hertz };
+    enum class Model : std::uint8_t { hertz, linear };
     enum class Method : std::uint8_t { automatic, continuous, nodes };
     enum class Tangential : std::uint8_t { ratio, mindlin };
     enum class DampingMass : std::uint8_t { contact, reduced };
@@ -61,10 +63,18 @@ struct ContactLaw {
 
     double youngs_modulus = 0.0;  ///< Y* [Pa], [SR] Eq. 13
     double shear_modulus = 0.0;   ///< G* [Pa], [SR] Eq. 13
-    double damping = 0.0;         ///< sqrt(5) |beta|, beta from the restitution, [SR] Eq. 12-13
-    double friction = 0.0;        ///< Coulomb mu
+    /// Of the normal dashpot over sqrt(k_n m_e): sqrt(5) |beta| ([SR] Eq. 12-13), for `linear`
+    /// 2 |beta|; beta from the restitution.
+    double damping = 0.0;
+    double friction = 0.0;               ///< Coulomb mu
     double stiffness_ratio = 2.0 / 7.0;  ///< k_t / k_n
     double damping_ratio = 0.5;          ///< gamma_t / gamma_n
+
+    // model = linear [GC] Sec. 6, instead of moduli and ratios.
+    double normal_stiffness = 0.0;      ///< k_n [N/m]
+    double contact_time = 0.0;          ///< t_c sqrt(k_n / m) = sqrt(pi^2 + ln^2 e_n)
+    double tangential_stiffness = 0.0;  ///< (pi^2 + ln^2 e_t) / (pi^2 + ln^2 e_n)
+    double tangential_damping = 0.0;    ///< -2 ln e_t / sqrt(pi^2 + ln^2 e_n)
 };
 
 /// What a contact does to its two bodies in this step. The force on j is exactly -force.

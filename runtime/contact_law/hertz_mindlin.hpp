@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-/// The parts of the Hertz-Mindlin law [SR] Eqs. 10-15 that one contact point and many share
-/// (docs/contact.md, "Force law").
+/// The parts of the Hertz-Mindlin law [SR] Eqs. 10-15, and of the linear one beside it, that one
+/// contact point and many share (docs/contact.md, "Force law").
 ///   k_n = 4/3 Y* sqrt(R* d), gamma_n = sqrt(5) |beta| sqrt(m_e k_n), F_n = k_n d - gamma_n u_n
 ///   F_t = -k_t s - gamma_t u_t, |F_t| <= mu |F_n|
 /// d overlap, s tangential spring, u relative velocity, m_e effective mass of the contact.
@@ -43,6 +43,23 @@ double effective_radius(const ContactLaw& law, double local_radius, const Histor
     return keeps ? history.effective_radius : local_radius;
 }
 
+/// What resists a tangential motion of a pair at its surfaces, [GC] Sec. 6.
+struct TangentialInertia {
+    double inverse_reduced = 0.0;  ///< 1/mu of the two masses [1/kg]
+    double inverse = 0.0;  ///< B: 1/mu and the mean squared surface distances over moments [1/kg]
+};
+inline TangentialInertia tangential_inertia(const PairState& pair) {
+    const InverseInertia& i = pair.i.inverse_inertia;
+    const InverseInertia& j = pair.j.inverse_inertia;
+    const double reduced = i.mass + j.mass;
+    return {reduced, reduced + i.surface + j.surface};
+}
+
+/// Energy of a spring over force times overlap.
+inline double elastic_share(const ContactLaw& law) {
+    return law.model == ContactLaw::Model::linear ? 0.5 : 0.4;
+}
+
 struct Coefficients {
     double k_n;      ///< [N/m]
     double gamma_n;  ///< [kg/s]
@@ -50,9 +67,26 @@ struct Coefficients {
     double frequency;  ///< sqrt(k_n/m_e) [rad/s]
 };
 
+/// Linear spring-dashpot [GC] Eqs. 13-16, corrected: k_t = k_n (1/mu)/B (pi^2 + ln^2 e_t)/(pi^2 +
+/// ln^2 e_n), gamma_t = -(2/t_c) ln e_t / B.
+inline Coefficients linear_coefficients(const ContactLaw& law, double inverse_mass,
+                                        const TangentialInertia& tangential) {
+    Coefficients c{};
+    c.k_n = law.normal_stiffness;
+    c.frequency = std::sqrt(c.k_n * inverse_mass);
+    c.gamma_n = inverse_mass > 0.0 ? law.damping * c.frequency / inverse_mass : 0.0;
+    if (!(tangential.inverse > 0.0)) return c;
+    c.k_t = c.k_n * law.tangential_stiffness * tangential.inverse_reduced / tangential.inverse;
+    c.gamma_t =
+        law.tangential_damping * std::sqrt(c.k_n * tangential.inverse_reduced) / tangential.inverse;
+    return c;
+}
+
 /// `inverse_mass` = 1/m_e [1/kg].
 inline Coefficients coefficients(const ContactLaw& law, double radius, double overlap,
-                                 double inverse_mass) {
+                                 double inverse_mass, const TangentialInertia& tangential) {
+    if (law.model == ContactLaw::Model::linear)
+        return linear_coefficients(law, inverse_mass, tangential);
     const double root = std::sqrt(radius * overlap);
     Coefficients c{};
     c.k_n = 4.0 / 3.0 * law.youngs_modulus * root;
@@ -71,6 +105,11 @@ inline Coefficients coefficients(const ContactLaw& law, double radius, double ov
 template <class History>
 double age(const ContactLaw& law, double local_radius, double radius, double turn, double elastic,
            History& history) {
+    if (law.model == ContactLaw::Model::linear) {
+        history.effective_radius = radius;
+        history.phase += turn;
+        return 0.0;
+    }
     double change = 0.0;  // of R*, relative
     if (law.radius == ContactLaw::Radius::local) {
         if (history.effective_radius > 0.0) change = 1.0 - history.effective_radius / radius;

@@ -52,4 +52,27 @@ ContactLaw pair_law(const Elasticity& a, const Elasticity& b, double restitution
     return law;
 }
 
+ContactLaw linear_law(double normal_stiffness, double restitution, double tangential_restitution,
+                      const ContactLaw& options) {
+    require(normal_stiffness > 0.0 && std::isfinite(normal_stiffness), "normal stiffness",
+            normal_stiffness, "a positive number of N/m");
+    require(restitution > 0.0 && restitution <= 1.0, "restitution", restitution,
+            "a number above 0 and up to 1");
+    require(tangential_restitution > 0.0 && tangential_restitution <= 1.0, "tangential restitution",
+            tangential_restitution, "a number above 0 and up to 1");
+    require(options.friction >= 0.0 && std::isfinite(options.friction), "friction",
+            options.friction, "zero or a positive number");
+    const double log_n = std::log(restitution);
+    const double log_t = std::log(tangential_restitution);
+    const double normal = pi * pi + log_n * log_n;
+    ContactLaw law = options;
+    law.model = ContactLaw::Model::linear;
+    law.normal_stiffness = normal_stiffness;
+    law.contact_time = std::sqrt(normal);
+    law.damping = -2.0 * log_n / law.contact_time;
+    law.tangential_stiffness = (pi * pi + log_t * log_t) / normal;
+    law.tangential_damping = -2.0 * log_t / law.contact_time;
+    return law;
+}
+
 }  // namespace dem

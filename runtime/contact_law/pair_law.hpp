@@ -23,4 +23,9 @@ double hertz_damping(double restitution);
 ContactLaw pair_law(const Elasticity& a, const Elasticity& b, double restitution,
                     const ContactLaw& options = {});
 
+/// Makes a law linear [GC] Sec. 6: normal stiffness [N/m], restitution and tangential restitution
+/// in (0, 1]. The other options of the law stay. Throws Error for values out of range.
+ContactLaw linear_law(double normal_stiffness, double restitution, double tangential_restitution,
+                      const ContactLaw& options = {});
+
 }  // namespace dem

@@ -68,7 +68,9 @@ class NormPatch {
         const double inverse_mass = law.damping_mass == ContactLaw::DampingMass::contact
                                         ? inverse_contact_mass(pair, g, t_i, t_j) / square(weights)
                                         : inverse_reduced_mass(pair);
-        coefficients_ = hertz::coefficients(law, radius, overlap_, inverse_mass);
+        coefficients_ = hertz::coefficients(law, radius, overlap_, inverse_mass,
+                                            hertz::tangential_inertia(pair));
+        elastic_ = hertz::elastic_share(law) * coefficients_.k_n * square(overlap_);
     }
 
     Share share(const ContactPoint& p, double dt) const {
@@ -87,13 +89,14 @@ class NormPatch {
     }
 
     double overlap() const { return overlap_; }
-    double elastic() const { return 0.4 * coefficients_.k_n * square(overlap_); }
+    double elastic() const { return elastic_; }
     double frequency() const { return coefficients_.frequency; }
 
   private:
     const PairState& pair_;
     bool limit_;
     double overlap_ = 0.0;
+    double elastic_ = 0.0;
     hertz::Coefficients coefficients_{};
 };
 
@@ -121,7 +124,7 @@ class SumPatch {
         s.dissipated = (s.force - spring) * rate * dt;
         s.k_t = c.k_t;
         s.gamma_t = c.gamma_t;
-        s.elastic = 0.4 * spring * p.overlap;
+        s.elastic = hertz::elastic_share(law_) * spring * p.overlap;
         return s;
     }
 
@@ -137,7 +140,8 @@ class SumPatch {
                 ? inverse_contact_mass(pair_, g, p.position.cross(g),
                                        (p.position - pair_.displacement).cross(g))
                 : inverse_reduced_mass(pair_);
-        return hertz::coefficients(law_, radius_, p.overlap, inverse_mass);
+        return hertz::coefficients(law_, radius_, p.overlap, inverse_mass,
+                                   hertz::tangential_inertia(pair_));
     }
 
     const PairState& pair_;

@@ -14,6 +14,7 @@ struct PointMotion {
     double overlap_rate;  ///< > 0 while approaching [m/s]
     double inverse_mass;  ///< 1/m_e [1/kg]
     double spin;          ///< mean angular velocity of the bodies about the normal [rad/s]
+    hertz::TangentialInertia tangential;
 };
 
 /// Motion at a point of lever r_i from the centre of i with a unit normal; the mass is left out.
@@ -26,6 +27,7 @@ inline PointMotion motion_at(const PairState& pair, const Vec3& r_i, const Vec3&
     m.overlap = overlap;
     m.overlap_rate = -m.velocity.dot(normal);
     m.inverse_mass = 0.0;
+    m.tangential = hertz::tangential_inertia(pair);
     m.spin = 0.5 * normal.dot(pair.i.angular_velocity + pair.j.angular_velocity);
     return m;
 }
@@ -42,13 +44,13 @@ inline PointForce point_force(const PointMotion& point, double local_radius, con
     const Vec3& n = point.normal;
     const double radius = hertz::effective_radius(law, local_radius, history);
     const hertz::Coefficients c =
-        hertz::coefficients(law, radius, point.overlap, point.inverse_mass);
+        hertz::coefficients(law, radius, point.overlap, point.inverse_mass, point.tangential);
     const double rate = point.overlap_rate;
     const double spring_force = c.k_n * point.overlap;
 
     PointForce f{spring_force + c.gamma_n * rate, Vec3::Zero(), 0.0, 0.0};
     if (law.limit_force) f.normal = std::max(f.normal, 0.0);
-    const double normal_elastic = 0.4 * spring_force * point.overlap;
+    const double normal_elastic = hertz::elastic_share(law) * spring_force * point.overlap;
     f.elastic = normal_elastic;
     f.dissipated = (f.normal - spring_force) * rate * dt;
 

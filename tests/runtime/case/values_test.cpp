@@ -106,8 +106,10 @@ TEST(Values, EveryWrongValueHasItsLine) {
 
 TEST(Values, AChoiceThatIsNotThereSuggestsOneThatIs) {
     const auto model = [](const Values& v) { v.choice_index("model"); };
-    EXPECT_EQ(message("[contact]\nmodel = linear\n", model),
-              "c.ini:2: model: 'linear' is not in this version, expected one of: hertz");
+    const auto kind = [](const Values& v) { v.choice_index("kind"); };
+    EXPECT_EQ(message("[measure.m]\nkind = order\n", kind)
+                  .rfind("c.ini:2: kind: 'order' is not in this version, expected one of: ", 0),
+              0U);
     EXPECT_EQ(message("[contact]\nmodel = herz\n", model),
               "c.ini:2: model: unknown choice 'herz', did you mean 'hertz'?");
 }
