@@ -67,6 +67,12 @@ struct CheckKind {
     void operator()(const Clump& clump) const {
         check_clump(clump, shape.bounding_radius, shape.mass_properties.volume, check.where);
     }
+    void operator()(const ConvexShape& convex) const {
+        check.require(shape.is_convex, "a convex shape is not marked convex");
+        check_convex_faces(convex, check.where);
+        check_convex_shape(convex, shape.bounding_radius, shape.mass_properties.volume,
+                           check.where);
+    }
 };
 
 }  // namespace

@@ -21,6 +21,13 @@ void check_template(const ParticleTemplate& shape, const std::string& where);
 void check_sr_shape(const SrShape& shape, double bounding_radius, double volume,
                     const std::string& where);
 
+/// Whether the faces of a polyhedral core fit together, which index_core() relies on.
+void check_convex_faces(const ConvexShape& shape, const std::string& where);
+
+/// The part of a convex shape, its faces checked already.
+void check_convex_shape(const ConvexShape& shape, double bounding_radius, double volume,
+                        const std::string& where);
+
 /// The part of a clump.
 void check_clump(const Clump& clump, double bounding_radius, double volume,
                  const std::string& where);

@@ -2,6 +2,7 @@
 #include "formats/template_reader.hpp"
 
 #include "common/error.hpp"
+#include "common/shapes/mass_properties.hpp"
 #include "common/shapes/support_map.hpp"
 #include "formats/memory_map.hpp"
 #include "formats/template_check.hpp"
@@ -44,10 +45,15 @@ class Decoder {
             const auto spheres = array<ClumpSphere>(clump->spheres());
             result.shape =
                 Clump{spheres, array<Clump::Ball>(clump->balls()), largest_radius(spheres.span())};
+        } else if (const schema::ConvexShape* convex = shape.data_as_ConvexShape()) {
+            ConvexShape core = decode(*convex);
+            core.bounding_radius = result.bounding_radius;
+            core.equivalent_diameter = equivalent_diameter(result.mass_properties.volume);
+            result.shape = std::move(core);
         } else {
             throw Error(where_,
-                        "is of a kind that this program does not know, expected sphere, sr or "
-                        "clump; make the template again or update the program");
+                        "is of a kind that this program does not know, expected sphere, sr, clump "
+                        "or convex; make the template again or update the program");
         }
         return result;
     }
@@ -116,6 +122,21 @@ class Decoder {
             result.nodes.super_blocks = array<SurfaceNodes::Ball>(nodes->super_blocks());
             result.nodes.stencil = array<std::uint32_t>(nodes->stencil());
         }
+        return result;
+    }
+
+    ConvexShape decode(const schema::ConvexShape& convex) const {
+        const schema::ConvexDimensions& d = *convex.dimensions();
+        ConvexShape result;
+        result.core = static_cast<ConvexShape::Core>(convex.core());
+        result.rounding = d.rounding();
+        result.size = Vec3(d.size_x(), d.size_y(), d.size_z());
+        result.low = d.low();
+        result.vertices = array<Vec3>(convex.vertices());
+        result.face_begin = array<std::uint32_t>(convex.face_begin());
+        result.face_vertices = array<std::uint32_t>(convex.face_vertices());
+        check_convex_faces(result, where_);
+        index_core(result);
         return result;
     }
 

@@ -27,6 +27,9 @@ Counts counts(const ParticleTemplate& shape) {
     n.triangles = shape.display_mesh.triangles.size();
     if (std::holds_alternative<Sphere>(shape.shape)) n.spheres = 1;
     if (const auto* clump = std::get_if<Clump>(&shape.shape)) n.spheres = clump->spheres.size();
+    if (const auto* convex = std::get_if<ConvexShape>(&shape.shape)) {
+        if (n.vertices == 0) n.vertices = convex->vertices.size();
+    }
     if (const auto* sr = std::get_if<SrShape>(&shape.shape)) {
         n.nodes = sr->nodes.count;
         for (const SdfCell& cell : sr->sdf.cells) n.cells += std::uint64_t{1} << 2 * cell.level;

@@ -95,6 +95,17 @@ struct EncodeKind {
         return {schema::ShapeData_ClumpShape,
                 schema::CreateClumpShape(fbb, spheres, balls).Union()};
     }
+    EncodedKind operator()(const ConvexShape& convex) const {
+        const StoredVec3& s = convex.size;
+        const schema::ConvexDimensions dimensions(s.x, s.y, s.z, convex.low, convex.rounding);
+        const auto vertices = structs<schema::Vec3>(fbb, convex.vertices);
+        const auto begin = scalars(fbb, convex.face_begin);
+        const auto corners = scalars(fbb, convex.face_vertices);
+        return {schema::ShapeData_ConvexShape,
+                schema::CreateConvexShape(fbb, static_cast<std::uint32_t>(convex.core), &dimensions,
+                                          vertices, begin, corners)
+                    .Union()};
+    }
 };
 
 Offset<schema::Shape> encode(FlatBufferBuilder& fbb, const ParticleTemplate& shape) {
@@ -136,6 +147,10 @@ std::uint64_t largest_size(const ParticleTemplate& shape) {
                 byte_size(sr->sdf.values) + byte_size(sr->curvature) + byte_size(sr->nodes.nodes) +
                 byte_size(sr->nodes.blocks) + byte_size(sr->nodes.super_blocks) +
                 byte_size(sr->nodes.stencil);
+    }
+    if (const auto* convex = std::get_if<ConvexShape>(&shape.shape)) {
+        size += byte_size(convex->vertices) + byte_size(convex->face_begin) +
+                byte_size(convex->face_vertices);
     }
     if (const auto* clump = std::get_if<Clump>(&shape.shape))
         size += byte_size(clump->spheres) + byte_size(clump->balls);

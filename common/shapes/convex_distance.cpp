@@ -47,17 +47,21 @@ bool is_above_face(const ConvexShape& shape, Index face, const Vec3& x, Vec3& ne
     return is_inside;
 }
 
-SurfaceDistance from_polyhedron(const ConvexShape& shape, const Vec3& x) {
-    if (shape.vertices.size() == 1) return from_point(x, shape.vertices[0], Vec3::UnitZ());
-    if (shape.vertices.size() == 2) {
-        return from_point(x, nearest_on_segment(x, shape.vertices[0], shape.vertices[1]),
-                          Vec3::UnitX());
-    }
+SurfaceDistance from_segment(const ConvexShape& shape, const Vec3& x) {
+    return from_point(x, nearest_on_segment(x, shape.vertices[0], shape.vertices[1]),
+                      Vec3::UnitX());
+}
+
+/// The nearest of the faces number(0), number(1), ...
+template <class Number>
+SurfaceDistance from_faces(const ConvexShape& shape, Index count, const Number& number,
+                           const Vec3& x) {
     double highest = -std::numeric_limits<double>::infinity();
     Vec3 normal = Vec3::UnitZ();
     double least = std::numeric_limits<double>::infinity();
     Vec3 nearest = Vec3::Zero();
-    for (Index f = 0; f < shape.face_count(); ++f) {
+    for (Index k = 0; k < count; ++k) {
+        const Index f = number(k);
         const ConvexShape::Plane& plane = shape.planes[f];
         const double height = plane.normal.dot(x) - plane.offset;
         if (height > highest) {
@@ -68,9 +72,15 @@ SurfaceDistance from_polyhedron(const ConvexShape& shape, const Vec3& x) {
         if (height > 0.0 && is_above_face(shape, f, x, nearest, least))
             return {height, plane.normal};
     }
-    if (highest <= 0.0 || least == std::numeric_limits<double>::infinity())
-        return {highest, normal};
+    if (highest <= 0.0) return {highest, normal};
     return from_point(x, nearest, normal);
+}
+
+SurfaceDistance from_polyhedron(const ConvexShape& shape, const Vec3& x) {
+    if (shape.vertices.size() == 1) return from_point(x, shape.vertices[0], Vec3::UnitZ());
+    if (shape.vertices.size() == 2) return from_segment(shape, x);
+    return from_faces(
+        shape, static_cast<Index>(shape.face_count()), [](Index f) { return f; }, x);
 }
 
 /// Position in a half plane through the z axis.
@@ -190,6 +200,13 @@ SurfaceDistance core_distance(const ConvexShape& shape, const Vec3& x) {
             break;
     }
     return from_polyhedron(shape, x);
+}
+
+SurfaceDistance distance_from_faces(const ConvexShape& shape, std::span<const Index> faces,
+                                    const Vec3& x) {
+    if (shape.vertices.size() == 2) return from_segment(shape, x);
+    return from_faces(
+        shape, static_cast<Index>(faces.size()), [&](Index k) { return faces[k]; }, x);
 }
 
 SurfaceDistance surface_distance(const ConvexShape& shape, const Vec3& x) {

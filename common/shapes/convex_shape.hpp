@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 /// Convex bodies as support mappings [GC 4.2]: a core and a sphere that rolls around it. Body
 /// frame: origin at the center of mass of the rounded body, axes principal. make_convex.hpp makes
@@ -138,5 +139,10 @@ SurfaceDistance surface_distance(const ConvexShape& shape, const Vec3& x);
 
 /// The same from the core itself, without the rounding.
 SurfaceDistance core_distance(const ConvexShape& shape, const Vec3& x);
+
+/// The same from a polyhedron with at least two vertices of which it is known that the nearest
+/// point lies in one of these faces.
+SurfaceDistance distance_from_faces(const ConvexShape& shape, std::span<const std::uint32_t> faces,
+                                    const Vec3& x);
 
 }  // namespace dem

@@ -8,6 +8,7 @@ struct KindName {
     std::string operator()(const Sphere&) const { return "sphere"; }
     std::string operator()(const SrShape&) const { return "sr"; }
     std::string operator()(const Clump&) const { return "clump"; }
+    std::string operator()(const ConvexShape&) const { return "convex"; }
 };
 }  // namespace
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/shapes/clump.hpp"
+#include "common/shapes/convex_shape.hpp"
 #include "common/shapes/mass_properties.hpp"
 #include "common/shapes/sphere.hpp"
 #include "common/shapes/sr_shape.hpp"
@@ -37,7 +38,7 @@ struct ParticleTemplate {
     /// What the numbers of the input are in [m], a scale included: exports that are to lie on the
     /// input are written in it.
     double input_unit = 1.0;
-    std::variant<Sphere, SrShape, Clump> shape;
+    std::variant<Sphere, SrShape, Clump, ConvexShape> shape;
 };
 
 /// The content of a `.tpl` file.
@@ -48,7 +49,7 @@ struct TemplateFile {
     std::vector<ParticleTemplate> shapes;
 };
 
-/// "sphere", "sr", "clump": the word used in files and messages.
+/// "sphere", "sr", "clump", "convex": the word used in files and messages.
 std::string kind_name(const ParticleTemplate& shape);
 
 }  // namespace dem

@@ -37,6 +37,16 @@ double support_extent(const SrShape& shape, double cosine) {
     return p.r * sine + p.z * cosine;
 }
 
+Aabb box_of(const ConvexShape& shape, const Vec3& position, const Quat& orientation) {
+    const Mat3 to_body = orientation.toRotationMatrix().transpose();
+    Aabb box{position, position};
+    for (int k = 0; k < 3; ++k) {
+        box.upper[k] += extent(shape, to_body.col(k));
+        box.lower[k] -= extent(shape, -to_body.col(k));
+    }
+    return box;
+}
+
 Aabb box_of(const Clump& clump, const Vec3& position, const Quat& orientation) {
     const Mat3 to_world = orientation.toRotationMatrix();
     Aabb box{position, position};
@@ -65,6 +75,9 @@ Aabb BodyAabbs::box(std::uint32_t shape, const Vec3& position, const Quat& orien
     }
     if (const auto* clump = std::get_if<Clump>(&geometry)) {
         return box_of(*clump, position, orientation);
+    }
+    if (const auto* convex = std::get_if<ConvexShape>(&geometry)) {
+        return box_of(*convex, position, orientation);
     }
     const auto& sr = *std::get_if<SrShape>(&geometry);
     const Cylinder& cylinder = cylinders_[shape];

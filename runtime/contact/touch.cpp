@@ -3,8 +3,12 @@
 
 #include "runtime/contact/clump_clump.hpp"
 #include "runtime/contact/clump_contact.hpp"
+#include "runtime/contact/clump_convex.hpp"
 #include "runtime/contact/clump_sr.hpp"
 #include "runtime/contact/clump_wall.hpp"
+#include "runtime/contact/convex_convex.hpp"
+#include "runtime/contact/convex_sr.hpp"
+#include "runtime/contact/convex_wall.hpp"
 #include "runtime/contact/node_contact.hpp"
 #include "runtime/contact/sphere_sphere.hpp"
 #include "runtime/contact/sphere_sr_nodes.hpp"
@@ -47,6 +51,14 @@ bool in_closed_form(const A& a, const B& b, const PairState& pair) {
     return collide(a, b, pair, no_force, 0.0, history).touches();
 }
 
+template <class A, class B>
+bool by_cores(const A& a, const B& b, const PairState& pair) {
+    ConvexHistory history;
+    MissCache miss;
+    ConvexScratch scratch;
+    return collide(a, b, pair, no_force, 0.0, ConvexMemory{history, miss, scratch}).touches();
+}
+
 PairState swapped(const PairState& pair) {
     return {-pair.displacement, pair.j, pair.i};
 }
@@ -87,6 +99,29 @@ bool touching(const SrShape& a, const Clump& b, const PairState& pair) {
     return touching(b, a, swapped(pair));
 }
 
+bool touching(const ConvexShape& a, const ConvexShape& b, const PairState& pair) {
+    return by_cores(a, b, pair);
+}
+bool touching(const Sphere& a, const ConvexShape& b, const PairState& pair) {
+    return by_cores(a, b, pair);
+}
+bool touching(const ConvexShape& a, const Sphere& b, const PairState& pair) {
+    return by_cores(a, b, pair);
+}
+bool touching(const SrShape& a, const ConvexShape& b, const PairState& pair) {
+    return a.is_convex ? by_cores(a, b, pair) : by_nodes(a, b, pair, a.nodes.nodes.size());
+}
+bool touching(const ConvexShape& a, const SrShape& b, const PairState& pair) {
+    return touching(b, a, swapped(pair));
+}
+bool touching(const ConvexShape& a, const Clump& b, const PairState& pair) {
+    return touching(b, a, swapped(pair));
+}
+
+template <class Wall>
+bool touching(const ConvexShape& a, const Wall& wall, const PairState& pair) {
+    return by_cores(a, wall, pair);
+}
 template <class Wall>
 bool touching(const Sphere& a, const Wall& wall, const PairState& pair) {
     return in_closed_form(a, wall, pair);
@@ -108,6 +143,10 @@ double extent(const SrShape& shape, const Quat& orientation, const Vec3& directi
     for (const SurfaceNodes::Node& node : shape.nodes.nodes)
         farthest = std::max(farthest, n.dot(Vec3(node.x, node.y, node.z)));
     return farthest;
+}
+
+double extent(const ConvexShape& shape, const Quat& orientation, const Vec3& direction) {
+    return extent(shape, orientation.conjugate() * direction);
 }
 
 double extent(const Clump& shape, const Quat& orientation, const Vec3& direction) {

@@ -69,6 +69,7 @@ struct KernelCall {
     double dt;
     double travel;  // of the two bodies, added up [m]
     ContactScratch& scratch;
+    ConvexScratch& convex;
 
     PairContact contact(PointHistory& history, NoCache&) const {
         return collide(a, b, pair, law, dt, history);
@@ -76,6 +77,9 @@ struct KernelCall {
     template <class History>
     PairContact contact(History& history, MissCache& miss) const {
         return collide(a, b, pair, law, dt, ContactMemory{history, miss});
+    }
+    PairContact contact(ConvexHistory& history, MissCache& miss) const {
+        return collide(a, b, pair, law, dt, ConvexMemory{history, miss, convex});
     }
     PairContact contact(PatchHistory& history, NodeCache& cache) const {
         return collide(a, b, pair, law, dt, NodeMemory{history, cache, scratch, travel});
@@ -97,6 +101,7 @@ struct Worker {
     double dt;
     typename List::Changes& changes;
     ContactScratch& scratch;
+    ConvexScratch& convex;
     LargestOverlap largest{};
 
     // Distance of a pair that does not touch, at least; <= 0 when nothing is known [m].
@@ -128,7 +133,7 @@ struct Worker {
         const bool is_new = list.history_of[k] == List::none;
         auto& history = is_new ? fresh : list.histories[list.history_of[k]];
         const KernelCall<typename List::A, typename List::B> call{
-            a, b, pair, partner.law(ids), dt, travel, scratch};
+            a, b, pair, partner.law(ids), dt, travel, scratch, convex};
         const PairContact contact = call.contact(history, list.caches[k]);
 
         const std::uint32_t r = list.first_result + k;
@@ -158,8 +163,13 @@ void compute_list(List& list, NeighborLists& lists, const Partner& partner, doub
 #pragma omp parallel if (size / relative_speed <List> >= scratch.parallel_pairs)
     {
         const auto thread = static_cast<std::size_t>(omp_get_thread_num());
-        Worker<List, Partner> worker{
-            list, lists, partner, dt, list.changes[thread], scratch.threads[thread].points};
+        Worker<List, Partner> worker{list,
+                                     lists,
+                                     partner,
+                                     dt,
+                                     list.changes[thread],
+                                     scratch.threads[thread].points,
+                                     scratch.threads[thread].convex};
 #pragma omp for schedule(static)
         for (std::uint32_t k = 0; k < size; ++k) worker.compute(k);
         LargestOverlap& largest = scratch.threads[thread].largest;

@@ -20,6 +20,7 @@ struct NarrowPhaseScratch {
     struct Thread {
         LargestOverlap largest;
         ContactScratch points;
+        ConvexScratch convex;
     };
     std::vector<Thread> threads;
     std::vector<double> equivalent_radius;  ///< per kind [m]

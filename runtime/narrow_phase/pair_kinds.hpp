@@ -3,8 +3,12 @@
 
 #include "common/shapes/particle_template.hpp"
 #include "runtime/contact/clump_clump.hpp"
+#include "runtime/contact/clump_convex.hpp"
 #include "runtime/contact/clump_sr.hpp"
 #include "runtime/contact/clump_wall.hpp"
+#include "runtime/contact/convex_convex.hpp"
+#include "runtime/contact/convex_sr.hpp"
+#include "runtime/contact/convex_wall.hpp"
 #include "runtime/contact/sphere_sphere.hpp"
 #include "runtime/contact/sphere_sr_nodes.hpp"
 #include "runtime/contact/sphere_wall.hpp"
@@ -22,19 +26,28 @@
 /// runtime/contact.
 namespace dem {
 
-using PairLists =
-    std::tuple<PairList<Sphere, Sphere, PointHistory, NoCache>,
-               PairList<Sphere, SrShape, PointHistory, MissCache, ContactLaw::Method::continuous>,
-               PairList<SrShape, Sphere, PointHistory, MissCache, ContactLaw::Method::continuous>,
-               PairList<SrShape, SrShape, PointHistory, MissCache, ContactLaw::Method::continuous>,
-               PairList<Sphere, SrShape, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
-               PairList<SrShape, Sphere, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
-               PairList<SrShape, SrShape, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
-               PairList<Clump, Clump, PatchHistory, NodeCache>,
-               PairList<Sphere, Clump, PatchHistory, NodeCache>,
-               PairList<Clump, Sphere, PatchHistory, NodeCache>,
-               PairList<SrShape, Clump, PatchHistory, NodeCache>,
-               PairList<Clump, SrShape, PatchHistory, NodeCache>>;
+using PairLists = std::tuple<
+    PairList<Sphere, Sphere, PointHistory, NoCache>,
+    PairList<Sphere, SrShape, PointHistory, MissCache, ContactLaw::Method::continuous>,
+    PairList<SrShape, Sphere, PointHistory, MissCache, ContactLaw::Method::continuous>,
+    PairList<SrShape, SrShape, PointHistory, MissCache, ContactLaw::Method::continuous>,
+    PairList<Sphere, SrShape, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
+    PairList<SrShape, Sphere, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
+    PairList<SrShape, SrShape, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
+    PairList<Clump, Clump, PatchHistory, NodeCache>,
+    PairList<Sphere, Clump, PatchHistory, NodeCache>,
+    PairList<Clump, Sphere, PatchHistory, NodeCache>,
+    PairList<SrShape, Clump, PatchHistory, NodeCache>,
+    PairList<Clump, SrShape, PatchHistory, NodeCache>,
+    PairList<ConvexShape, ConvexShape, ConvexHistory, MissCache>,
+    PairList<Sphere, ConvexShape, ConvexHistory, MissCache>,
+    PairList<ConvexShape, Sphere, ConvexHistory, MissCache>,
+    PairList<SrShape, ConvexShape, ConvexHistory, MissCache, ContactLaw::Method::continuous>,
+    PairList<ConvexShape, SrShape, ConvexHistory, MissCache, ContactLaw::Method::continuous>,
+    PairList<SrShape, ConvexShape, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
+    PairList<ConvexShape, SrShape, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
+    PairList<Clump, ConvexShape, PatchHistory, NodeCache>,
+    PairList<ConvexShape, Clump, PatchHistory, NodeCache>>;
 
 using WallLists = std::tuple<
     PairList<Sphere, PlaneWall, PointHistory, NoCache>,
@@ -44,7 +57,9 @@ using WallLists = std::tuple<
     PairList<SrShape, PlaneWall, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
     PairList<SrShape, CylinderWall, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
     PairList<Clump, PlaneWall, PatchHistory, NodeCache>,
-    PairList<Clump, CylinderWall, PatchHistory, NodeCache>>;
+    PairList<Clump, CylinderWall, PatchHistory, NodeCache>,
+    PairList<ConvexShape, PlaneWall, ConvexHistory, MissCache>,
+    PairList<ConvexShape, CylinderWall, ConvexHistory, MissCache>>;
 
 /// How contacts of these spheres and SR shapes are computed: shapes that are not convex need nodes.
 inline ContactLaw::Method contact_method(bool all_convex, const ContactLaw& law) {

@@ -20,8 +20,8 @@
 
 // Cost of the time loop on settled beds with fixed counts:
 //
-//     time_loop_benchmark spheres|candies|candies_nodes|clumps [count [threads[,threads...] [steps
-//                         [skin in mm]]]]
+//     time_loop_benchmark spheres|candies|candies_nodes|clumps|sand|cylinders
+//                         [count [threads[,threads...] [steps [skin in mm]]]]
 //
 // A bed first settles with a large time step, then the loop is timed with the one of the scene,
 // from the same state for each number of threads. The hash proves that a faster version still
@@ -32,6 +32,8 @@
 
 namespace dem {
 namespace {
+
+constexpr const char* scene_names = "spheres, candies, candies_nodes, clumps, sand, cylinders";
 
 struct Settings {
     std::string scene;
@@ -91,13 +93,39 @@ Bed clump_bed(const Settings& s) {
     return bed;
 }
 
+// Convex bodies of about 6 mm in a vessel, every one of `kinds` shapes in turn.
+Bed convex_bed(const Settings& s, const std::vector<ParticleTemplate>& shapes) {
+    Scene scene = scenes::one_material({5e7, 2500.0, 0.5, 0.4});
+    for (const ParticleTemplate& shape : shapes) scenes::add_kind(scene, shape);
+    const double radius = 20e-3 * std::sqrt(s.count / 250.0);
+    const auto kinds = static_cast<std::uint32_t>(shapes.size());
+    std::vector<BodyPlacement> bodies = scenes::column(s.count, kinds, radius, 7.8e-3);
+    for (BodyPlacement& body : bodies) body.velocity.z() = -0.5;
+    scene.insertions.push_back(scenes::placed(bodies));
+    scenes::add_vessel(scene, radius);
+    return {std::move(scene), 5e-6, 60000, 1e-6};
+}
+
+// Grains of 20 vertices, each of its own shape.
+Bed sand_bed(const Settings& s) {
+    std::vector<ParticleTemplate> grains;
+    for (std::uint32_t k = 0; k < s.count; ++k) grains.push_back(scenes::sand_grain(6e-3, 20, k));
+    return convex_bed(s, grains);
+}
+
+// Cylinders as long as wide.
+Bed cylinder_bed(const Settings& s) {
+    return convex_bed(s, {scenes::convex(make_cylinder(2.7e-3, 5.4e-3, 6e-5))});
+}
+
 Bed make_bed(const Settings& s) {
     if (s.scene == "spheres") return sphere_bed(s);
     if (s.scene == "candies") return candy_bed(s, ContactLaw::Method::continuous);
     if (s.scene == "candies_nodes") return candy_bed(s, ContactLaw::Method::nodes);
     if (s.scene == "clumps") return clump_bed(s);
-    throw UsageError("unknown scene '" + s.scene +
-                     "', expected spheres, candies, candies_nodes or clumps");
+    if (s.scene == "sand") return sand_bed(s);
+    if (s.scene == "cylinders") return cylinder_bed(s);
+    throw UsageError("unknown scene '" + s.scene + "', expected one of: " + scene_names);
 }
 
 // The scene with its bodies where they are now.
@@ -205,9 +233,9 @@ void measure(const Settings& s) {
 }
 
 Settings settings(int argc, char** argv) {
-    if (argc < 2)
-        throw UsageError("no scene given, expected spheres, candies, candies_nodes or clumps");
-    Settings s{argv[1], std::string(argv[1]) == "spheres" ? 32000U : 250U};
+    if (argc < 2) throw UsageError(std::string("no scene given, expected one of: ") + scene_names);
+    const std::string scene = argv[1];
+    Settings s{scene, scene == "spheres" ? 32000U : scene == "cylinders" ? 1000U : 250U};
     if (argc > 2) s.count = static_cast<std::uint32_t>(std::atoi(argv[2]));
     if (argc > 3) {
         s.threads.clear();

@@ -131,6 +131,34 @@ Scene clump_mixture() {
     return scene;
 }
 
+// Convex shapes of every kind among all others: every pair that has a convex shape in it.
+Scene convex_mixture() {
+    Scene scene = scenes::one_material({2e7, 1400.0, 0.5, 0.3});
+    static const ParticleTemplate candy = scenes::candy(600);
+    static const ParticleTemplate peanut = scenes::peanut(600);
+    const double d = 9e-3;
+    scenes::add_kind(scene, scenes::convex(make_cuboid(Vec3::Constant(0.8 * d), 0.02 * d)));
+    scenes::add_kind(scene, scenes::convex(make_cylinder(0.45 * d, 0.9 * d, 0.02 * d)));
+    scenes::add_kind(scene, candy);
+    scenes::add_kind(scene, scenes::sand_grain(d, 20, 1));
+    scenes::add_kind(scene, peanut);
+    scenes::add_kind(scene, scenes::convex(make_ellipsoid(d * Vec3(0.7, 0.5, 0.35))));
+    scenes::add_kind(scene, scenes::sphere(4e-3));
+    scenes::add_kind(scene, scenes::convex(make_cone(0.5 * d, d, 0.02 * d)));
+    scenes::add_kind(scene, scenes::dumbbell_clump());
+    scenes::add_kind(scene, scenes::convex(make_capsule(0.3 * d, 1.2 * d)));
+    std::vector<BodyPlacement> bodies = scenes::column(50, 10, 25e-3, 13.5e-3);
+    for (BodyPlacement& body : bodies) body.velocity = {0.3, 0.2, -1.5};
+    scene.insertions.push_back(scenes::placed(bodies));
+    scenes::add_vessel(scene, 25e-3);
+    for (Wall& wall : scene.walls) {
+        wall.motion.kind = WallMotion::Kind::rotate;
+        wall.motion.rate = 15.0;
+        wall.motion.from = 0.005;
+    }
+    return scene;
+}
+
 class SameBits : public testing::TestWithParam<NamedScene> {
   protected:
     void TearDown() override { omp_set_num_threads(threads_before_); }
@@ -206,7 +234,8 @@ INSTANTIATE_TEST_SUITE_P(
                     NamedScene{"batches", batches_into_a_turning_vessel, 6e-6, 4000},
                     NamedScene{"continuous", continuous_mixture, 1e-5, 3000},
                     NamedScene{"nodes", node_mixture, 1e-5, 3000},
-                    NamedScene{"clumps", clump_mixture, 1e-5, 3000}),
+                    NamedScene{"clumps", clump_mixture, 1e-5, 3000},
+                    NamedScene{"convex", convex_mixture, 1e-5, 500}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

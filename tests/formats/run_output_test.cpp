@@ -56,7 +56,7 @@ TEST(TemplateSummary, TheJsonHoldsEveryShapeWithItsNumbersUnrounded) {
     EXPECT_EQ(json["schema"], 1);
     EXPECT_EQ(json["command"], file.command);
     EXPECT_EQ(json["input_hash"], "0123456789abcdef");
-    ASSERT_EQ(json["shapes"].size(), 3U);
+    ASSERT_EQ(json["shapes"].size(), 4U);
     EXPECT_EQ(json["shapes"][0]["kind"], "sphere");
     EXPECT_EQ(json["shapes"][0]["counts"]["spheres"], 1);
     const auto& sr = json["shapes"][1];
@@ -89,8 +89,8 @@ TEST(TemplateSummary, TheTextShowsEveryShapeOfASmallFileAndTheRangeOfALibrary) {
         file.shapes.push_back(sample::sphere(1e-3 * (2 + i), "s" + std::to_string(i)));
     }
     const std::string text = template_text(file);
-    EXPECT_NE(text.find("23 shapes"), std::string::npos) << text;
-    EXPECT_NE(text.find("(ball) to 3.8"), std::string::npos) << text;
+    EXPECT_NE(text.find("24 shapes"), std::string::npos) << text;
+    EXPECT_NE(text.find("(tetrahedron) to 3.8"), std::string::npos) << text;
     EXPECT_EQ(text.find("s5"), std::string::npos);
 }
 

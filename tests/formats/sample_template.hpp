@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/shapes/make_convex.hpp"
 #include "common/shapes/particle_template.hpp"
 #include "formats/template_header.hpp"
 #include "formats/template_writer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -145,11 +147,24 @@ inline ParticleTemplate ring() {
     return t;
 }
 
+/// A rounded tetrahedron.
+inline ParticleTemplate tetrahedron() {
+    const std::vector<Vec3> corners{
+        {1e-3, 1e-3, 1e-3}, {1e-3, -1e-3, -1e-3}, {-1e-3, 1e-3, -1e-3}, {-1e-3, -1e-3, 1e-3}};
+    const ConvexSolid solid = make_convex_polyhedron(corners, 5e-5);
+    ParticleTemplate t = sphere(1.5e-3, "tetrahedron");
+    t.mass_properties = solid.mass_properties;
+    t.bounding_radius = std::max(t.bounding_radius, solid.shape.bounding_radius);
+    t.mean_squared_surface_distance = solid.mean_squared_surface_distance;
+    t.shape = solid.shape;
+    return t;
+}
+
 inline TemplateFile file() {
     return {"shapegen ball.profile -o ball.tpl",
             0x0123456789abcdefULL,
             "0.1.0",
-            {sphere(1.5e-3), sr_sphere(), ring()}};
+            {sphere(1.5e-3), sr_sphere(), ring(), tetrahedron()}};
 }
 
 /// Bytes in memory aligned as in a map.

@@ -213,6 +213,41 @@ TEST(TemplateCheck, AWrongClumpIsFoundAndNamed) {
     }
 }
 
+TEST(TemplateCheck, AWrongConvexShapeIsFoundAndNamed) {
+    struct ConvexCase {
+        const char* expected;
+        std::function<void(ConvexShape&)> change;
+    };
+    using Core = ConvexShape::Core;
+    const ConvexCase cases[] = {
+        {"unknown kind", [](auto& c) { c.core = static_cast<Core>(7); }},
+        {"has vertices", [](auto& c) { c.core = Core::ellipsoid; }},
+        {"rounding of a convex shape is -", [](auto& c) { c.rounding = -1e-6; }},
+        {"lower end of a convex shape is nan", [](auto& c) { c.low = nan; }},
+        {"vertex of a polyhedron is inf", [](auto& c) { set(c.vertices, 1, Vec3(0, inf, 0)); }},
+        {"outside the bounding radius", [](auto& c) { c.rounding = 1e-3; }},
+        {"is not that of the convex shape", [](auto& c) { c.rounding *= 0.99; }},
+        {"not convex", [](auto& c) { set(c.vertices, 0, Vec3(-0.4 * c.vertices[0])); }},
+        {"fewer than three", [](auto& c) { set(c.face_begin, 1, 2U); }},
+        {"fewer than three", [](auto& c) { set(c.face_begin, 1, 4000000000U); }},
+        {"use up", [](auto& c) { drop_last(c.face_vertices); }},
+        {"does not exist", [](auto& c) { set(c.face_vertices, 2, 4U); }},
+        {"do not close", [](auto& c) { set(c.face_vertices, 0, c.face_vertices[1]); }},
+        {"do not close",
+         [](auto& c) {
+             c.face_begin = {};
+             c.face_vertices = {};
+         }},
+    };
+    for (const ConvexCase& c : cases) {
+        TemplateFile content = sample::file();
+        c.change(std::get<ConvexShape>(content.shapes[3].shape));
+        const std::string message = reading(content);
+        EXPECT_NE(message.find(c.expected), std::string::npos)
+            << "expected: " << c.expected << "\nfound:    " << message;
+    }
+}
+
 TEST(TemplateCheck, AWrongSphereIsFound) {
     for (const double radius : {0.0, -1e-3, nan, inf, 2e-3}) {
         TemplateFile content = sample::file();

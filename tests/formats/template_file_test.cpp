@@ -41,8 +41,8 @@ TEST(TemplateFileTest, EveryValueSurvivesTheRoundTripBitByBit) {
     EXPECT_EQ(read.command, written.command);
     EXPECT_EQ(read.input_hash, written.input_hash);
     EXPECT_EQ(read.shapegen_version, written.shapegen_version);
-    ASSERT_EQ(read.shapes.size(), 3U);
-    for (std::size_t i = 0; i < 3; ++i) expect_same(read.shapes[i], written.shapes[i]);
+    ASSERT_EQ(read.shapes.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) expect_same(read.shapes[i], written.shapes[i]);
     EXPECT_EQ(std::get<Sphere>(read.shapes[0].shape).radius, 1.5e-3);
 
     const auto& a = std::get<SrShape>(read.shapes[1].shape);
@@ -80,6 +80,18 @@ TEST(TemplateFileTest, EveryValueSurvivesTheRoundTripBitByBit) {
     EXPECT_TRUE(same_bytes(c.spheres, d.spheres));
     EXPECT_TRUE(same_bytes(c.balls, d.balls));
     EXPECT_EQ(c.largest_radius, d.largest_radius);
+
+    const auto& e = std::get<ConvexShape>(read.shapes[3].shape);
+    const auto& f = std::get<ConvexShape>(written.shapes[3].shape);
+    EXPECT_EQ(e.core, f.core);
+    EXPECT_EQ(e.rounding, f.rounding);
+    EXPECT_EQ(e.equivalent_diameter, f.equivalent_diameter);
+    EXPECT_TRUE(same_bytes(e.vertices, f.vertices));
+    EXPECT_TRUE(same_bytes(e.face_begin, f.face_begin));
+    EXPECT_TRUE(same_bytes(e.face_vertices, f.face_vertices));
+    EXPECT_TRUE(same_bytes(e.planes, f.planes));
+    EXPECT_TRUE(same_bytes(e.edges, f.edges));
+    EXPECT_TRUE(same_bytes(e.neighbors, f.neighbors));
 }
 
 TEST(TemplateFileTest, ArraysLieInTheBufferAndKeepItAlive) {
@@ -148,7 +160,7 @@ TEST_F(TemplateOnDisk, MoreThanTwoGigabytesAreRefusedBeforeTheyAreBuilt) {
         pages, std::span(reinterpret_cast<const SdfCell*>(pages.get()), count));
     const std::string message =
         message_of<Error>([&] { static_cast<void>(encode_template(content)); });
-    EXPECT_NE(message.find("shape 1 of 3: the template exceeds the 2 GB"), std::string::npos)
+    EXPECT_NE(message.find("shape 1 of 4: the template exceeds the 2 GB"), std::string::npos)
         << message;
 }
 

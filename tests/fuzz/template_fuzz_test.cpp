@@ -29,6 +29,11 @@ bool is_accepted(std::span<const std::byte> bytes) {
                 hash.add(sr->nodes.nodes.span());
                 hash.add(sr->nodes.stencil.span());
             }
+            if (const auto* convex = std::get_if<ConvexShape>(&t.shape)) {
+                for (const Vec3& v : convex->vertices) hash.add(std::span(v.data(), 3));
+                hash.add(convex->face_vertices.span());
+                hash.add(convex->neighbors.span());
+            }
             if (const auto* clump = std::get_if<Clump>(&t.shape)) {
                 hash.add(clump->spheres.span());
                 hash.add(clump->balls.span());

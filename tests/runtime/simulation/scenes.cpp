@@ -115,9 +115,29 @@ std::uint32_t add_kind(Scene& scene, const ParticleTemplate& shape) {
     const double density = scene.materials[0].density;
     kind.mass = density * shape.mass_properties.volume;
     kind.inertia = density * shape.mass_properties.principal_moments_per_density;
-    kind.inverse_inertia = {1.0 / kind.mass, kind.inertia.cwiseInverse()};
+    kind.inverse_inertia = {1.0 / kind.mass, kind.inertia.cwiseInverse(),
+                            shape.mean_squared_surface_distance / kind.inertia.mean()};
     scene.kinds.push_back(kind);
     return static_cast<std::uint32_t>(scene.kinds.size() - 1);
+}
+
+ParticleTemplate convex(const ConvexSolid& solid) {
+    ParticleTemplate t;
+    t.name = "convex";
+    t.mass_properties = solid.mass_properties;
+    t.bounding_radius = solid.shape.bounding_radius;
+    t.mean_squared_surface_distance = solid.mean_squared_surface_distance;
+    t.is_convex = true;
+    t.shape = solid.shape;
+    return t;
+}
+
+ParticleTemplate sand_grain(double size, std::uint32_t corners, std::uint64_t seed) {
+    Random random(seed, corners);
+    std::vector<Vec3> points;
+    for (std::uint32_t k = 0; k < corners; ++k)
+        points.emplace_back(0.5 * size * random.direction().cwiseProduct(Vec3(1.0, 1.2, 0.8)));
+    return convex(make_convex_polyhedron(points, 0.01 * size));
 }
 
 InsertionGroup placed(std::vector<BodyPlacement> placements) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/shapes/make_convex.hpp"
 #include "runtime/scene.hpp"
 
 #include <vector>
@@ -17,6 +18,11 @@ ParticleTemplate peanut(std::uint32_t nodes = 2000);
 /// The candy as a clump of balls that touch it from inside, and two balls with a third between.
 ParticleTemplate candy_clump(std::uint32_t spheres = 60);
 ParticleTemplate dumbbell_clump();
+
+/// A template of a convex shape.
+ParticleTemplate convex(const ConvexSolid& solid);
+/// A grain of sand: a rounded polyhedron of random corners on an ellipsoid, about `size` across.
+ParticleTemplate sand_grain(double size, std::uint32_t corners, std::uint64_t seed);
 
 struct Stuff {
     double youngs_modulus, density, restitution, friction;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/contact/clump_convex.hpp"
+
+#include "runtime/contact/clump_contact.hpp"
+#include "runtime/contact/convex_field.hpp"
+
+namespace dem {
+
+namespace {
+
+/// `sign`: 1 where the clump is i.
+PairContact between(const PlacedSpheres& spheres, const ConvexField& field, double sign,
+                    const NodeCall& call) {
+    const NodeMemory& memory = call.memory;
+    const Clump::Ball bound = spheres.bound();
+    const double margin = list_margin(std::min(bound.radius, field.shape->bounding_radius));
+    if (memory.travel >= memory.cache.listed_until) {
+        const double gap =
+            field.sample(spheres.place(bound.center())).distance - bound.radius - field.slack;
+        if (gap > margin) return keep_apart(gap, memory);
+    }
+    const SpheresInField<ConvexField> elements{spheres, field};
+    const auto touching =
+        touching_spheres(elements, margin, memory, [&](std::uint32_t k, const auto& sample) {
+            return sphere_point(k, sample, field, sign, ContactLaw::NodeNormal::gradient);
+        });
+    const double radius =
+        touching.points.empty()
+            ? 0.0
+            : 1.0 / (1.0 / touching.deepest.radius + 2.0 / field.shape->equivalent_diameter);
+    return contact_force(touching.points, radius, call);
+}
+
+ConvexField field_of(const ConvexShape& shape, const Quat& orientation, const Vec3& center) {
+    return {
+        {clump_rounding(shape.bounding_radius)}, &shape, orientation.toRotationMatrix(), center};
+}
+
+}  // namespace
+
+PairContact collide(const Clump& a, const ConvexShape& b, const PairState& pair,
+                    const ContactLaw& law, double dt, const NodeMemory& memory) {
+    return between({a, pair.i.orientation, Vec3::Zero()},
+                   field_of(b, pair.j.orientation, pair.displacement), 1.0,
+                   {pair, law, dt, memory});
+}
+
+PairContact collide(const ConvexShape& a, const Clump& b, const PairState& pair,
+                    const ContactLaw& law, double dt, const NodeMemory& memory) {
+    return between({b, pair.j.orientation, pair.displacement},
+                   field_of(a, pair.i.orientation, Vec3::Zero()), -1.0, {pair, law, dt, memory});
+}
+
+}  // namespace dem

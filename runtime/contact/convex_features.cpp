@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/contact/convex_features.hpp"
+
+#include <algorithm>
+
+namespace dem {
+
+namespace {
+
+using Index = std::uint32_t;
+
+void add_new(std::vector<Index>& list, Index value) {
+    if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
+}
+
+/// Nearest points of two edges' lines.
+struct EdgePair {
+    const ConvexScratch::EdgeLine& a;
+    const ConvexScratch::EdgeLine& b;
+    double cosine;
+    double sine2;
+    double t, u;  ///< places along the edges [m]
+    Vec3 gap;     ///< from the point on b to that on a [m]
+};
+
+/// Derivative of the weight s(t) s(u) s(sine2) (docs/contact-convex.md, "Edges").
+PairGradient weight_gradient(const EdgePair& e, const Ramp& at_t, const Ramp& at_u,
+                             const Ramp& crossing, const Vec3& displacement) {
+    const double by_t = at_t.slope * at_u.value * crossing.value;
+    const double by_u = at_t.value * at_u.slope * crossing.value;
+    const double by_sine2 = at_t.value * at_u.value * crossing.slope / parallel_sine2;
+    const double alpha = (by_t + e.cosine * by_u) / e.sine2;
+    const double beta = -(e.cosine * by_t + by_u) / e.sine2;
+    const Vec3& dir_a = e.a.direction;
+    const Vec3& dir_b = e.b.direction;
+    const Vec3 on_a = e.a.start + e.t * dir_a;
+    const Vec3 on_b = e.b.start + e.u * dir_b - displacement;
+    const Vec3 across = dir_a.cross(dir_b);
+    PairGradient g;
+    g.shift = -alpha * dir_a - beta * dir_b;
+    g.turn_i = on_a.cross(g.shift) - alpha * dir_a.cross(e.gap) +
+               2.0 * by_sine2 * dir_a.cross(dir_b.cross(across));
+    g.turn_j = -on_b.cross(g.shift) - beta * dir_b.cross(e.gap) +
+               2.0 * by_sine2 * dir_b.cross(across.cross(dir_a));
+    return g;
+}
+
+void add_edge_pair(const EdgePair& e, const NearCores& near, double rounding_i, double reach,
+                   FeatureSum& features) {
+    const double distance = e.gap.norm();
+    const bool is_behind = e.gap.dot(near.normal) < 0.0;
+    if (is_behind && !near.cores_overlap) return;
+    const double overlap = is_behind ? reach + distance : reach - distance;
+    if (!(overlap > 0.0) || distance == 0.0) return;
+    // Edges that have passed through the other body on its far side.
+    if (is_behind && overlap > (1.0 + 1e-6) * near.deepest) return;
+    const Vec3 n = (is_behind ? -1.0 : 1.0) / distance * e.gap;
+    const Ramp at_t = end_ramp(e.a, e.t);
+    const Ramp at_u = end_ramp(e.b, e.u);
+    const Ramp crossing(e.sine2 / parallel_sine2);
+    const Vec3 on_a = e.a.start + e.t * e.a.direction;
+    const FeaturePoint p{on_a - (rounding_i - 0.5 * overlap) * n, n, overlap};
+    features.add(p, at_t.value * at_u.value * crossing.value);
+    if (at_t.slope != 0.0 || at_u.slope != 0.0 || crossing.slope != 0.0) {
+        features.add_weight_gradient(
+            p, weight_gradient(e, at_t, at_u, crossing, features.pair().displacement));
+    }
+}
+
+}  // namespace
+
+void collect(const PlacedCore& core, const Vec3& direction, double depth, std::uint32_t start,
+             ConvexScratch::Side& side) {
+    const ConvexShape& shape = core.shape;
+    const Vec3 along = core.direction_in_body(direction);
+    start = farthest_vertex(shape, along, start);
+    const double least = shape.vertices[start].dot(along) - depth;
+    side.vertices.assign(1, start);
+    side.edges.clear();
+    side.faces.clear();
+    side.lines.clear();
+    for (std::size_t k = 0; k < side.vertices.size(); ++k) {
+        const Index v = side.vertices[k];
+        for (Index n = shape.neighbor_begin[v]; n < shape.neighbor_begin[v + 1]; ++n) {
+            const Index other = shape.neighbors[n];
+            const Index edge = shape.neighbor_edges[n];
+            const bool is_near = shape.vertices[other].dot(along) > least;
+            if (is_near) add_new(side.vertices, other);
+            // An edge of two near vertices is met twice.
+            if (is_near && other < v) continue;
+            side.edges.push_back(edge);
+        }
+    }
+    for (const Index e : side.edges) {
+        const ConvexShape::Edge& edge = shape.edges[e];
+        const Vec3 from = core.vertex(edge.from);
+        const Vec3 way = core.vertex(edge.to) - from;
+        const double length = way.norm();
+        side.lines.push_back(
+            {from, way / length, length, std::min(edge_ramp * core.size, 0.5 * length)});
+        if (edge.left == ConvexShape::Edge::no_face) continue;
+        add_new(side.faces, edge.left);
+        add_new(side.faces, edge.right);
+    }
+}
+
+Ramp end_ramp(const ConvexScratch::EdgeLine& edge, double t) {
+    const Ramp low(t / edge.ramp);
+    const Ramp high((edge.length - t) / edge.ramp);
+    return {low.value * high.value, (low.slope * high.value - low.value * high.slope) / edge.ramp};
+}
+
+SurfaceDistance distance_to(const PlacedCore& core, const ConvexScratch::Side& side,
+                            bool cores_overlap, const Vec3& x) {
+    const Vec3 x_body = core.in_body(x);
+    SurfaceDistance d = core.has_vertices() && !cores_overlap
+                            ? distance_from_faces(core.shape, side.faces, x_body)
+                            : core_distance(core.shape, x_body);
+    d.normal = core.turned(d.normal);
+    return d;
+}
+
+void add_vertices(const PlacedCore& core, const ConvexScratch::Side& side, const PlacedCore& other,
+                  const ConvexScratch::Side& other_side, const NearCores& near, double sign,
+                  FeatureSum& features) {
+    const double reach = core.rounding + other.rounding;
+    for (const Index v : side.vertices) {
+        const Vec3 x = core.vertex(v);
+        const SurfaceDistance d = distance_to(other, other_side, near.cores_overlap, x);
+        const double overlap = reach - d.distance;
+        if (!(overlap > 0.0)) continue;
+        const Vec3 position = x - (core.rounding - 0.5 * overlap) * d.normal;
+        features.add({position, sign * d.normal, overlap}, 1.0);
+    }
+}
+
+void add_edges(const ConvexScratch& scratch, const NearCores& near, double rounding_i,
+               double rounding_j, FeatureSum& features) {
+    const double reach = rounding_i + rounding_j;
+    for (const ConvexScratch::EdgeLine& a : scratch.i.lines) {
+        for (const ConvexScratch::EdgeLine& b : scratch.j.lines) {
+            const Vec3 between = a.start - b.start;
+            const double cosine = a.direction.dot(b.direction);
+            const double sine2 = 1.0 - cosine * cosine;
+            if (sine2 < least_sine2) continue;
+            const double along_a = a.direction.dot(between);
+            const double along_b = b.direction.dot(between);
+            const double t = (cosine * along_b - along_a) / sine2;
+            if (!(t > 0.0 && t < a.length)) continue;
+            const double u = (along_b - cosine * along_a) / sine2;
+            if (!(u > 0.0 && u < b.length)) continue;
+            const Vec3 gap = between + t * a.direction - u * b.direction;
+            if (gap.squaredNorm() >= reach * reach) continue;
+            add_edge_pair({a, b, cosine, sine2, t, u, gap}, near, rounding_i, reach, features);
+        }
+    }
+}
+
+void add_polyhedra(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
+                   ConvexScratch& scratch, FeatureSum& features) {
+    collect(i, -near.normal, near.deepest, near.start_i, scratch.i);
+    collect(j, near.normal, near.deepest, near.start_j, scratch.j);
+    add_vertices(i, scratch.i, j, scratch.j, near, 1.0, features);
+    add_vertices(j, scratch.j, i, scratch.i, near, -1.0, features);
+    add_edges(scratch, near, i.rounding, j.rounding, features);
+}
+
+}  // namespace dem

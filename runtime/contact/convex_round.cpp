@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/contact/convex_round.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dem {
+
+namespace {
+
+/// cos and sin of the angles of the samples.
+struct SampleCircle {
+    std::array<double, PlacedCap::sample_count> cosine, sine;
+
+    SampleCircle() {
+        for (std::size_t k = 0; k < cosine.size(); ++k) {
+            const double angle = 2.0 * pi * static_cast<double>(k) / PlacedCap::sample_count;
+            cosine[k] = std::cos(angle);
+            sine[k] = std::sin(angle);
+        }
+    }
+};
+const SampleCircle sample_circle;
+
+/// One body of the pair with what the features of the other need to know.
+struct Body {
+    const PlacedCore& core;
+    const ConvexScratch::Side& side;
+    double sign;    ///< 1: i, -1: j
+    Vec3 towards;   ///< unit, to the other body
+    double extent;  ///< of the core along it, from the origin of the pair [m]
+};
+
+/// Overlap of a point of one core, rounded, with the other body.
+FeaturePoint point_against(const Body& body, const Body& other, bool cores_overlap, const Vec3& x) {
+    const SurfaceDistance d = distance_to(other.core, other.side, cores_overlap, x);
+    const double overlap = body.core.rounding + other.core.rounding - d.distance;
+    return {x - (body.core.rounding - 0.5 * overlap) * d.normal, body.sign * d.normal, overlap};
+}
+
+/// Where the rim of an end is nearest to the other body, from a point of the rim on: the root of
+/// the derivative by the angle, by the secant method within a bracket once there is one.
+FeaturePoint deepest_of_rim(const PlacedCap& cap, const Vec3& start, const Body& body,
+                            const Body& other) {
+    const Vec3 across = cap.axis.cross(start);
+    double angle = 0.0;
+    double low = -pi;  // where the derivative was last seen negative, and positive
+    double high = pi;
+    double last_angle = 0.0;
+    double last_slope = 0.0;
+    FeaturePoint p{};
+    for (int k = 0; k < 40; ++k) {
+        const double c = std::cos(angle);
+        const double s = std::sin(angle);
+        const Vec3 m = c * start + s * across;
+        p = point_against(body, other, false, cap.center + cap.radius * m);
+        const Vec3 away = body.sign * p.normal;
+        const double slope = away.dot(c * across - s * start);
+        (slope < 0.0 ? low : high) = angle;
+        if (std::abs(slope) <= 1e-14) break;
+        // Of a plane the second derivative is -away.m, of any convex body more.
+        double curvature = std::max(-away.dot(m), 2.0 * std::abs(slope));
+        if (k > 0) curvature = (slope - last_slope) / (angle - last_angle);
+        const double step = curvature > 0.0 ? std::clamp(-slope / curvature, -0.5, 0.5)
+                                            : -std::copysign(0.5, slope);
+        last_angle = angle;
+        last_slope = slope;
+        angle += step;
+        if (angle <= low || angle >= high) angle = 0.5 * (low + high);
+        if (std::abs(angle - last_angle) <= 1e-13) break;
+    }
+    return p;
+}
+
+/// The deepest point of an end: where the other body reaches lowest, if that is above the end, else
+/// on the rim. `on_core`: the nearest point of the whole core.
+FeaturePoint deepest_of_cap(const PlacedCap& cap, const Vec3& on_core, const Body& body,
+                            const Body& other) {
+    const Vec3 lowest = other.core.support(-cap.axis, 0).position - cap.center;
+    const double height = lowest.dot(cap.axis);
+    const Vec3 foot = lowest - height * cap.axis;
+    if (height > 0.0 && foot.squaredNorm() < square(cap.radius)) {
+        const double overlap = body.core.rounding + other.core.rounding - height;
+        return {cap.center + foot + (body.core.rounding - 0.5 * overlap) * cap.axis,
+                -body.sign * cap.axis, overlap};
+    }
+    const Vec3 from_center = on_core - cap.center;
+    const double above = from_center.dot(cap.axis);
+    Vec3 radial = from_center - above * cap.axis;
+    if (std::abs(above) > 0.01 * body.core.size)
+        radial = body.towards - body.towards.dot(cap.axis) * cap.axis;
+    if (!(radial.norm() > 1e-9 * body.core.size)) radial = cap.axis.unitOrthogonal();
+    return deepest_of_rim(cap, radial.normalized(), body, other);
+}
+
+/// Where the lines of edges of the other body pass over the rim of an end: the corners of the patch
+/// in which an end and a face meet. The point p of the edge straight above the rim is as far from
+/// the end as it is high, and moves along the edge with the bodies:
+///     d height / dt = w . (a - m (e.a) / (e.m))
+/// w velocity of the edge relative to the end at p, a outward normal of the end, e direction of the
+/// edge, m outward normal of the rim at p in the plane of the end.
+class RimCrossings {
+  public:
+    RimCrossings(const PlacedCap& cap, const Body& body, const Body& other)
+        : cap_(cap),
+          outward_(cap.axis),
+          sign_(other.sign),
+          rounding_(other.core.rounding),
+          reach_(body.core.rounding + other.core.rounding) {}
+
+    void add(const ConvexScratch::EdgeLine& edge, FeatureSum& features) const {
+        const Vec3 start = edge.start - cap_.center;
+        const double along = edge.direction.dot(outward_);
+        const double sine2 = 1.0 - along * along;
+        if (sine2 < least_sine2) return;
+        const Vec3 e = edge.direction - along * outward_;
+        const Vec3 p = start - start.dot(outward_) * outward_;
+        const double middle = -p.dot(e) / sine2;  // where the line is nearest to the axis
+        const Vec3 nearest = p + middle * e;
+        const double distance = nearest.norm();
+        if (!(distance < cap_.radius)) return;
+        const double half = std::sqrt((square(cap_.radius) - square(distance)) / sine2);
+        for (const double t : {middle - half, middle + half}) {
+            if (t > 0.0 && t < edge.length) add_at(edge, t, nearest, features);
+        }
+    }
+
+  private:
+    /// Crossings fade where the line leaves the end, over this part of its radius.
+    static constexpr double chord_ramp = 0.1;
+
+    void add_at(const ConvexScratch::EdgeLine& edge, double t, const Vec3& nearest,
+                FeatureSum& features) const {
+        const Vec3& e = edge.direction;
+        const Vec3 x = edge.start + t * e;
+        const double height = (x - cap_.center).dot(outward_);
+        const double overlap = reach_ - height;
+        if (!(overlap > 0.0) || height <= 0.0) return;
+        const Vec3 across = x - cap_.center - height * outward_;
+        const Vec3 m = across / cap_.radius;
+        const double pace = m.dot(e);
+        const Vec3 direction = outward_ - (e.dot(outward_) / pace) * m;
+        const FeaturePoint p{x - (rounding_ - 0.5 * overlap) * direction, sign_ * direction,
+                             overlap};
+        const double sine2 = 1.0 - square(e.dot(outward_));
+        const Ramp at_t = end_ramp(edge, t);
+        const Ramp chord((1.0 - nearest.norm() / cap_.radius) / chord_ramp);
+        const Ramp lying(sine2 / lying_sine2);
+        features.add(p, at_t.value * chord.value * lying.value);
+        PairGradient g;
+        const double by_t = at_t.slope * chord.value * lying.value;
+        if (by_t != 0.0) add_shift(x, -by_t / pace * m, features, g);
+        const double by_distance =
+            -at_t.value * chord.slope * lying.value / (chord_ramp * cap_.radius);
+        if (by_distance != 0.0) {
+            // From the axis to the line, square to both.
+            const double middle = t - m.dot(e) * cap_.radius / sine2;
+            add_shift(edge.start + middle * e, by_distance * nearest.normalized(), features, g);
+        }
+        if (lying.slope != 0.0) {
+            const double by_sine2 = at_t.value * chord.value * lying.slope / lying_sine2;
+            const Vec3 turn = 2.0 * by_sine2 * e.cross(outward_.cross(e.cross(outward_)));
+            (sign_ > 0.0 ? g.turn_i : g.turn_j) += turn;
+            (sign_ > 0.0 ? g.turn_j : g.turn_i) -= turn;
+        }
+        if (by_t != 0.0 || by_distance != 0.0 || lying.slope != 0.0)
+            features.add_weight_gradient(p, g);
+    }
+
+    /// A number that grows by `by` . (velocity of the edge relative to the end at x).
+    void add_shift(const Vec3& x, const Vec3& by, const FeatureSum& features,
+                   PairGradient& g) const {
+        const Vec3 on_i = sign_ * by;
+        g.shift += on_i;
+        g.turn_i += x.cross(on_i);
+        g.turn_j -= (x - features.pair().displacement).cross(on_i);
+    }
+
+    static constexpr double lying_sine2 = 0.5;
+
+    const PlacedCap& cap_;
+    Vec3 outward_;
+    double sign_;      ///< of the body with the edges
+    double rounding_;  ///< the same
+    double reach_;
+};
+
+void add_cap(const PlacedCap& cap, const Vec3& across, const Body& body, const Body& other,
+             const NearCores& near, const FeaturePoint& deepest, FeatureSum& features) {
+    const double least = body.extent - near.deepest;
+    if (cap.support(body.towards, 0).position.dot(body.towards) < least) return;
+    FeatureSum samples(features.pair(), features.deepest());
+    const double flat = 2.0 * cap.radius * cap.axis.cross(body.towards).norm();
+    // The rim's lowest point is near; samples only matter when those beside it are near as well.
+    if (0.2 * flat < near.deepest) {
+        for (std::size_t k = 0; k < PlacedCap::sample_count; ++k) {
+            const Vec3 x = cap.sample(k, across);
+            if (x.dot(body.towards) < least) continue;
+            const FeaturePoint p = point_against(body, other, near.cores_overlap, x);
+            if (p.overlap > 0.0) samples.add(p, rim_sample_weight);
+        }
+    }
+    const Vec3 on_core = deepest.position +
+                         body.sign * (body.core.rounding - 0.5 * deepest.overlap) * deepest.normal;
+    if (near.cores_overlap) {
+        const bool is_here =
+            std::abs((on_core - cap.center).dot(cap.axis)) <= 1e-9 * body.core.size;
+        if (is_here) add_blended(deepest, 1.0, samples, features);
+        return;
+    }
+    // Where samples carry alone, the deepest point of the end would not change a thing.
+    if (samples.power() >= 1.5) {
+        features.add(samples, 1.0);
+    } else {
+        add_blended(deepest_of_cap(cap, on_core, body, other), 1.0, samples, features);
+    }
+    if (!other.core.has_vertices()) return;
+    const RimCrossings crossings(cap, body, other);
+    for (const ConvexScratch::EdgeLine& edge : other.side.lines) crossings.add(edge, features);
+}
+
+void add_tip(const Body& body, const Body& other, const NearCores& near, FeatureSum& features) {
+    const ConvexShape& shape = body.core.shape;
+    const Vec3 tip = body.core.place({0.0, 0.0, shape.low + shape.size.z});
+    if (tip.dot(body.towards) < body.extent - near.deepest) return;
+    const FeaturePoint p = point_against(body, other, near.cores_overlap, tip);
+    if (p.overlap > 0.0) features.add(p, 1.0);
+}
+
+/// The axis of a cylinder as an edge that is as thick as the cylinder.
+void list_axis(const PlacedCore& core, ConvexScratch::Side& side) {
+    side.vertices.clear();
+    side.edges.clear();
+    side.faces.clear();
+    side.lines.clear();
+    const ConvexShape& shape = core.shape;
+    if (shape.core != ConvexShape::Core::cylinder || shape.size.z == 0.0) return;
+    side.lines.push_back({core.place({0.0, 0.0, shape.low}), core.turned(Vec3::UnitZ()),
+                          shape.size.z, std::min(edge_ramp * core.size, 0.5 * shape.size.z)});
+}
+
+double thickness(const PlacedCore& core) {
+    return core.has_vertices() ? core.rounding : core.rounding + core.shape.size.x;
+}
+
+void add_body(const Body& body, const Body& other, const NearCores& near,
+              const FeaturePoint& deepest, FeatureSum& features) {
+    if (body.core.has_vertices()) {
+        add_vertices(body.core, body.side, other.core, other.side, near, body.sign, features);
+        return;
+    }
+    const PlacedCaps caps = caps_of(body.core);
+    for (std::size_t k = 0; k < caps.count; ++k)
+        add_cap(caps.cap[k], caps.across, body, other, near, deepest, features);
+    if (body.core.shape.core == ConvexShape::Core::cone) add_tip(body, other, near, features);
+}
+
+Body body_of(const PlacedCore& core, const ConvexScratch::Side& side, const Vec3& towards,
+             double sign) {
+    return {core, side, sign, towards, core.support(towards, 0).position.dot(towards)};
+}
+
+}  // namespace
+
+Vec3 PlacedCap::sample(std::size_t k, const Vec3& across) const {
+    return center +
+           radius * (sample_circle.cosine[k] * across + sample_circle.sine[k] * axis.cross(across));
+}
+
+PlacedCaps caps_of(const PlacedCore& core) {
+    const ConvexShape& shape = core.shape;
+    PlacedCaps caps;
+    caps.across = core.turned(Vec3::UnitX());
+    const Vec3 axis = core.turned(Vec3::UnitZ());
+    const bool is_cylinder = shape.core == ConvexShape::Core::cylinder;
+    if (!is_cylinder && shape.core != ConvexShape::Core::cone) return caps;
+    const auto add = [&](double z, const Vec3& outward) {
+        caps.cap[caps.count++] = {core.place({0.0, 0.0, z}), outward, shape.size.x, core.size,
+                                  core.rounding};
+    };
+    add(shape.low, -axis);
+    if (is_cylinder && shape.size.z > 0.0) add(shape.low + shape.size.z, axis);
+    return caps;
+}
+
+void add_round(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
+               const FeaturePoint& deepest, ConvexScratch& scratch, FeatureSum& features) {
+    if (i.has_vertices()) {
+        collect(i, -near.normal, near.deepest, near.start_i, scratch.i);
+    } else {
+        list_axis(i, scratch.i);
+    }
+    if (j.has_vertices()) {
+        collect(j, near.normal, near.deepest, near.start_j, scratch.j);
+    } else {
+        list_axis(j, scratch.j);
+    }
+    const Body body_i = body_of(i, scratch.i, -near.normal, 1.0);
+    const Body body_j = body_of(j, scratch.j, near.normal, -1.0);
+    FeatureSum others(features.pair(), features.deepest());
+    add_body(body_i, body_j, near, deepest, others);
+    add_body(body_j, body_i, near, deepest, others);
+    if (!near.cores_overlap) add_edges(scratch, near, thickness(i), thickness(j), others);
+    add_remaining(deepest, others, features);
+}
+
+}  // namespace dem

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/contact/convex_patch.hpp"
+#include "runtime/contact_law/contact_mass.hpp"
+#include "runtime/contact_law/hertz_mindlin.hpp"
+
+namespace dem {
+
+namespace {
+
+/// The features together, with true weights.
+struct Patch {
+    double overlap;
+    double weight;        ///< sum w_k
+    Vec3 normal;          ///< unit
+    Vec3 center;          ///< [m]
+    double normal_force;  ///< sum of the forces along the normals [N]
+    double spread2;       ///< [m^2]
+    hertz::Coefficients c;
+};
+
+Vec3 relative_velocity(const PairState& pair, const Vec3& r_i) {
+    return pair.i.velocity - pair.j.velocity + pair.i.angular_velocity.cross(r_i) -
+           pair.j.angular_velocity.cross(r_i - pair.displacement);
+}
+
+void add_normal(const FeatureSum& features, const ContactLaw& law, double dt, Patch& patch,
+                PairContact& contact) {
+    const double scale = features.scale();
+    const double spring = scale * patch.c.k_n * features.overlap();
+    const double dashpot = scale * patch.c.gamma_n;
+    patch.normal_force = spring * features.weight() + dashpot * features.rate();
+    if (law.limit_force && patch.normal_force < 0.0) {
+        patch.normal_force = 0.0;
+        contact.dissipated_energy -= spring * features.rate() * dt;
+        return;
+    }
+    PairWrench sum;
+    sum.add(spring, features.direction());
+    sum.add(spring, features.of_weights());
+    sum.add(dashpot, features.rates());
+    contact.force = sum.force;
+    contact.torque_i = sum.torque_i;
+    contact.torque_j = sum.torque_j;
+    contact.dissipated_energy += dashpot * features.squared_rate() * dt;
+}
+
+/// Twist of the contact against its torsion spring; what the tangential spring is to sliding.
+void add_torsion(const Patch& patch, const PairState& pair, const ContactLaw& law, double dt,
+                 ConvexHistory& history, PairContact& contact) {
+    const double k = patch.c.k_t * patch.weight * patch.spread2;
+    const double gamma = patch.c.gamma_t * patch.weight * patch.spread2;
+    const double limit = law.friction * std::abs(patch.normal_force) * std::sqrt(patch.spread2);
+    const double rate = (pair.i.angular_velocity - pair.j.angular_velocity).dot(patch.normal);
+    contact.dissipated_energy += 0.5 * (history.twist_stiffness - k) * square(history.twist);
+    history.twist_stiffness = k;
+    Vec3 lead(0.0, 0.0, history.twist);
+    const hertz::TangentialForce t =
+        hertz::tangential_force(k, gamma, limit, Vec3(0.0, 0.0, rate), dt, lead);
+    history.twist = k > 0.0 ? lead.z() : 0.0;
+    const Vec3 torque = t.force.z() * patch.normal;
+    contact.torque_i += torque;
+    contact.torque_j -= torque;
+    contact.elastic_energy += t.elastic;
+    contact.dissipated_energy += t.dissipated;
+}
+
+void add_friction(const Patch& patch, const PairState& pair, const ContactLaw& law, double dt,
+                  ConvexHistory& history, PairContact& contact) {
+    const Vec3& n = patch.normal;
+    const Vec3 u = relative_velocity(pair, patch.center);
+    const Vec3 u_t = u - u.dot(n) * n;
+    Vec3 spring = Vec3::Zero();
+    if (history.effective_radius > 0.0) {
+        const double spin = 0.5 * n.dot(pair.i.angular_velocity + pair.j.angular_velocity);
+        spring = hertz::carried(history.spring, history.normal, n, spin * dt);
+        // The center moves over the bodies, which have turned against each other: what the spring
+        // would have been there. Material that was at the old center has moved by u/2 on average.
+        const Vec3 material = Vec3(history.anchor) +
+                              (pair.i.angular_velocity.cross(Vec3(history.anchor)) - 0.5 * u) * dt;
+        const Vec3 shift = patch.center - material;
+        spring += history.twist * n.cross(shift);
+    } else {
+        history.twist = 0.0;
+    }
+    const double k_t = patch.c.k_t * patch.weight;
+    contact.dissipated_energy += hertz::softening_loss(history.stiffness, k_t, spring);
+    const double limit = law.friction * std::abs(patch.normal_force);
+    const hertz::TangentialForce t =
+        hertz::tangential_force(k_t, patch.c.gamma_t * patch.weight, limit, u_t, dt, spring);
+    history.spring = spring;
+    history.stiffness = k_t;
+    contact.force += t.force;
+    contact.torque_i += patch.center.cross(t.force);
+    contact.torque_j -= (patch.center - pair.displacement).cross(t.force);
+    contact.elastic_energy += t.elastic;
+    contact.dissipated_energy += t.dissipated;
+    add_torsion(patch, pair, law, dt, history, contact);
+}
+
+}  // namespace
+
+PairContact contact_force(const FeatureSum& features, double local_radius, const ContactLaw& law,
+                          double dt, ConvexHistory& history) {
+    const PairState& pair = features.pair();
+    const double radius = hertz::effective_radius(law, local_radius, history);
+    const PairWrench& g = features.direction();
+    // Of one point and of many coinciding ones the mass is the same.
+    const double inverse_mass = law.damping_mass == ContactLaw::DampingMass::contact
+                                    ? inverse_contact_mass(pair, g.force, g.torque_i, g.torque_j) /
+                                          square(features.weight())
+                                    : inverse_reduced_mass(pair);
+    Patch patch{};
+    patch.overlap = features.overlap();
+    patch.weight = features.scale() * features.weight();
+    const double length = g.force.norm();
+    patch.normal = length > 0.0 ? Vec3(g.force / length) : Vec3::UnitZ();
+    patch.center = features.center();
+    patch.spread2 = features.squared_spread();
+    patch.c = hertz::coefficients(law, radius, patch.overlap, inverse_mass,
+                                  hertz::tangential_inertia(pair));
+
+    PairContact contact;
+    add_normal(features, law, dt, patch, contact);
+    const double elastic = hertz::elastic_share(law) * patch.c.k_n * square(patch.overlap);
+    contact.elastic_energy = elastic;
+    if (law.friction > 0.0) add_friction(patch, pair, law, dt, history, contact);
+    history.normal = patch.normal;
+    history.anchor = patch.center;
+    contact.overlap = patch.overlap;
+    contact.points = features.count();
+    contact.dissipated_energy +=
+        hertz::age(law, local_radius, radius, patch.c.frequency * dt, elastic, history);
+    return contact;
+}
+
+}  // namespace dem

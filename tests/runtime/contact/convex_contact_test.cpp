@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/contact/clump_convex.hpp"
+#include "runtime/contact/convex_convex.hpp"
+#include "runtime/contact/convex_sr.hpp"
+#include "runtime/contact/convex_wall.hpp"
+#include "runtime/contact/epa.hpp"
+#include "runtime/contact/placed_core.hpp"
+#include "runtime/contact_law/pair_law.hpp"
+#include "tests/common/shapes/sample_convex.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace dem::test {
+namespace {
+
+struct Host {
+    ConvexHistory history{};
+    MissCache miss{};
+    ConvexScratch scratch{};
+
+    ConvexMemory memory() { return {history, miss, scratch}; }
+};
+
+Quat turned(const Vec3& axis, double angle) {
+    const double s = std::sin(0.5 * angle);
+    const Vec3 a = axis.normalized();
+    return {std::cos(0.5 * angle), s * a.x(), s * a.y(), s * a.z()};
+}
+
+/// Two bodies that look at each other along `direction`, their z axes within `tilt` of it.
+struct Poses {
+    Quat i, j;
+    Vec3 direction, offset;
+};
+Poses random_poses(Random& random, double tilt) {
+    Poses p;
+    p.direction = random.direction();
+    p.offset = random.uniform(0.0, 0.4) * p.direction.unitOrthogonal();
+    p.i = random.orientation();
+    p.j = random.orientation();
+    if (tilt >= pi) return p;
+    for (Quat* q : {&p.i, &p.j}) {
+        const Quat facing = orientation_towards(p.direction);
+        const Quat spun = facing * turned(Vec3::UnitZ(), random.uniform(0.0, 2.0 * pi));
+        *q = turned(random.direction(), tilt * random.uniform()) * spun;
+    }
+    return p;
+}
+
+BodyState still(const Quat& q) {
+    return {q, Vec3::Zero(), Vec3::Zero(), {1.0, Vec3::Ones()}};
+}
+
+const ContactLaw elastic = pair_law({5e7, 0.3}, {5e7, 0.3}, 1.0);
+
+/// A contact of bodies at rest that has lasted: R* does not change.
+template <class A, class B>
+PairContact resting_contact(const A& a, const B& b, const PairState& pair) {
+    Host host;
+    host.history.effective_radius = 0.25;
+    const double distance = pair.displacement.norm();
+    host.history.search.direction = Vec3(pair.displacement / -distance);
+    return collide(a, b, pair, elastic, 1e-6, host.memory());
+}
+
+/// Where along the line the bodies overlap by this much.
+template <class Overlap>
+double place_of(double overlap, double far, const Overlap& overlap_at) {
+    double low = 0.0;
+    double high = far;
+    for (int k = 0; k < 24; ++k) {
+        const double middle = 0.5 * (low + high);
+        (overlap_at(middle) > overlap ? low : high) = middle;
+    }
+    return low;
+}
+
+/// Largest deviation of force and torques from the derivatives of the stored energy, relative to
+/// the force.
+template <class Evaluate>
+double gradient_error(const PairState& pair, const Evaluate& evaluate) {
+    const PairContact at = evaluate(pair);
+    const double h = 1e-7;
+    double error = 0.0;
+    for (int k = 0; k < 9; ++k) {
+        const Vec3 axis = Vec3::Unit(k % 3);
+        const auto moved = [&](double s) {
+            PairState p = pair;
+            if (k < 3) {
+                p.displacement -= s * axis;
+            } else if (k < 6) {
+                p.i.orientation = turned(axis, s) * pair.i.orientation;
+            } else {
+                p.j.orientation = turned(axis, s) * pair.j.orientation;
+            }
+            return evaluate(p).elastic_energy;
+        };
+        const double expected = -(moved(h) - moved(-h)) / (2.0 * h);
+        const Vec3& found = k < 3 ? at.force : k < 6 ? at.torque_i : at.torque_j;
+        error = std::max(error, std::abs(found.dot(axis) - expected) / at.force.norm());
+    }
+    return error;
+}
+
+// The heart of the matter: the force of features, ramps and all, has a potential.
+TEST(ConvexContact, ForceAndTorquesAreTheGradientOfTheStoredEnergy) {
+    const auto solids = convex_solids();
+    for (const double tilt : {pi, 0.03}) {
+        for (const auto& [name_a, a] : solids) {
+            for (const auto& [name_b, b] : solids) {
+                Random random(3, 1);
+                int off = 0;
+                for (int k = 0; k < 12; ++k) {
+                    const Poses p = random_poses(random, tilt);
+                    const auto pair_at = [&](double distance) {
+                        return PairState{distance * p.direction + p.offset, still(p.i), still(p.j)};
+                    };
+                    const auto evaluate = [&](const PairState& pair) {
+                        return resting_contact(a.shape, b.shape, pair);
+                    };
+                    const double distance =
+                        place_of(0.01, 4.0, [&](double x) { return evaluate(pair_at(x)).overlap; });
+                    const PairState pair = pair_at(distance);
+                    if (!evaluate(pair).touches()) continue;
+                    off += gradient_error(pair, evaluate) > 2e-5 ? 1 : 0;
+                }
+                // Kinks are met once in some hundred parallel pairs with a round one.
+                EXPECT_LE(off, tilt < pi ? 1 : 0) << name_a << " - " << name_b << ' ' << tilt;
+            }
+        }
+    }
+}
+
+TEST(ConvexContact, TheForceAtAWallIsTheGradientOfTheStoredEnergy) {
+    for (const auto& [name, solid] : convex_solids()) {
+        for (const bool is_tube : {false, true}) {
+            Random random(4, 1);
+            int off = 0;
+            for (int k = 0; k < 20; ++k) {
+                const Poses p = random_poses(random, k % 2 == 0 ? pi : 0.02);
+                const auto evaluate = [&](const PairState& pair) {
+                    Host host;
+                    host.history.effective_radius = 0.25;
+                    return is_tube ? collide(solid.shape, CylinderWall{.radius = 3.0}, pair,
+                                             elastic, 1e-6, host.memory())
+                                   : collide(solid.shape, PlaneWall{}, pair, elastic, 1e-6,
+                                             host.memory());
+                };
+                // The wall below the body, or the axis of the tube beside it.
+                const auto pair_at = [&](double gap) {
+                    const Vec3 displacement =
+                        is_tube ? Vec3(gap - 3.0, 0.0, 0.0) : Vec3(0.0, 0.0, -gap);
+                    return PairState{displacement, still(p.i), still(Quat::Identity())};
+                };
+                const double gap =
+                    place_of(0.01, 2.0, [&](double x) { return evaluate(pair_at(x)).overlap; });
+                const PairState pair = pair_at(gap);
+                ASSERT_TRUE(evaluate(pair).touches()) << name;
+                off += gradient_error(pair, evaluate) > 2e-5 ? 1 : 0;
+            }
+            EXPECT_EQ(off, 0) << name << (is_tube ? " in a tube" : " on a plane");
+        }
+    }
+}
+
+/// Distance of two polyhedra by all their features.
+double reference_distance(const ConvexShape& a, const ConvexShape& b, const PairState& pair) {
+    const PlacedCore i(a, pair.i.orientation, Vec3::Zero());
+    const PlacedCore j(b, pair.j.orientation, pair.displacement);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t v = 0; v < a.vertices.size(); ++v)
+        least = std::min(least, core_distance(b, j.in_body(i.vertex(v))).distance);
+    for (std::uint32_t v = 0; v < b.vertices.size(); ++v)
+        least = std::min(least, core_distance(a, i.in_body(j.vertex(v))).distance);
+    for (const ConvexShape::Edge& e : a.edges) {
+        for (const ConvexShape::Edge& f : b.edges) {
+            const Vec3 p = i.vertex(e.from);
+            const Vec3 u = i.vertex(e.to) - p;
+            const Vec3 q = j.vertex(f.from);
+            const Vec3 w = j.vertex(f.to) - q;
+            const double uu = u.dot(u), uw = u.dot(w), ww = w.dot(w);
+            const double determinant = uu * ww - uw * uw;
+            if (determinant < 1e-12 * uu * ww) continue;
+            const Vec3 r = p - q;
+            const double s = (uw * w.dot(r) - ww * u.dot(r)) / determinant;
+            const double t = (uu * w.dot(r) - uw * u.dot(r)) / determinant;
+            if (s < 0.0 || s > 1.0 || t < 0.0 || t > 1.0) continue;
+            least = std::min(least, (r + s * u - t * w).norm());
+        }
+    }
+    return least;
+}
+
+TEST(Gjk, MeetsTheDistanceOfAllFeaturesForAnyTiltAndGap) {
+    const std::vector<ConvexSolid> solids{make_cuboid({1.0, 1.0, 1.0}, 0.05),
+                                          random_polyhedron(20, 1, 0.02),
+                                          make_convex_polyhedron(tetrahedron_corners(1.5), 0.03)};
+    Random random(8, 1);
+    int compared = 0;
+    double worst = 0.0;
+    for (int k = 0; k < 400; ++k) {
+        const ConvexShape& a = solids[static_cast<std::size_t>(k) % 3].shape;
+        const ConvexShape& b = solids[static_cast<std::size_t>(k) / 3 % 3].shape;
+        const double tilt = k % 4 == 0 ? pi : k % 4 == 1 ? 0.0 : std::pow(10.0, -0.02 * k);
+        const Poses p = random_poses(random, tilt);
+        const double gap = std::pow(10.0, random.uniform(-6.0, -1.0));
+        const auto pair_at = [&](double x) {
+            return PairState{x * p.direction + p.offset, still(p.i), still(p.j)};
+        };
+        const double x = place_of(-gap, 4.0, [&](double y) {
+            return -reference_distance(a, b, pair_at(y)) - (y < 0.3 ? -1.0 : 0.0);
+        });
+        const PairState pair = pair_at(x);
+        const double expected = reference_distance(a, b, pair);
+        if (!(expected > 0.0) || expected > 1.0) continue;
+        const PlacedCore i(a, p.i, Vec3::Zero());
+        const PlacedCore j(b, p.j, pair.displacement);
+        SearchStart start;
+        start.direction = Vec3(-pair.displacement.normalized());
+        const CoreDistance found = core_distance(i, j, start, 0.0);
+        if (found.overlaps) continue;
+        ++compared;
+        worst = std::max(worst, std::abs(found.distance - expected));
+        ASSERT_LT(found.evaluations, 40) << k;
+        // Started from its own end the search stops at once.
+        const CoreDistance again = core_distance(i, j, next_start(i, j, found), 0.0);
+        ASSERT_LE(again.evaluations, 2) << k;
+        ASSERT_NEAR(again.distance, found.distance, 1e-12) << k;
+    }
+    EXPECT_GT(compared, 100);
+    EXPECT_LT(worst, 1e-12);
+}
+
+TEST(Gjk, ProvesItsDistanceForRoundCores) {
+    const auto solids = convex_solids();
+    Random random(9, 1);
+    for (int k = 0; k < 4000; ++k) {
+        const ConvexShape& a = solids[static_cast<std::size_t>(k) % solids.size()].second.shape;
+        const ConvexShape& b =
+            solids[static_cast<std::size_t>(k) / 10 % solids.size()].second.shape;
+        const Poses p =
+            random_poses(random, k % 3 == 0 ? pi : std::pow(10.0, random.uniform(-8, 0)));
+        const Vec3 d = random.uniform(0.8, 2.5) * p.direction + p.offset;
+        const PlacedCore i(a, p.i, Vec3::Zero());
+        const PlacedCore j(b, p.j, d);
+        SearchStart start;
+        start.direction = Vec3(-d.normalized());
+        const CoreDistance found = core_distance(i, j, start, 0.0);
+        if (found.overlaps) continue;
+        // Both points lie in the cores, and no two points can be nearer along the normal.
+        ASSERT_LT(core_distance(a, i.in_body(found.point_i)).distance, 1e-10);
+        ASSERT_LT(core_distance(b, j.in_body(found.point_j)).distance, 1e-10);
+        const double proven = found.normal.dot(i.support(-found.normal, 0).position -
+                                               j.support(found.normal, 0).position);
+        ASSERT_NEAR(proven, found.distance, 1e-7) << k;
+    }
+}
+
+TEST(Epa, FindsTheDepthAlongTheBestOfManyDirections) {
+    const std::vector<ConvexSolid> solids{make_cuboid({1.0, 1.2, 0.8}, 0.01),
+                                          random_polyhedron(20, 1, 0.02),
+                                          make_cylinder(0.5, 1.0, 0.01)};
+    Random random(10, 1);
+    for (int k = 0; k < 200; ++k) {
+        const ConvexShape& a = solids[static_cast<std::size_t>(k) % 3].shape;
+        const ConvexShape& b = solids[static_cast<std::size_t>(k) / 3 % 3].shape;
+        const Poses p = random_poses(random, k % 2 == 0 ? pi : 1e-6);
+        const PlacedCore i(a, p.i, Vec3::Zero());
+        const PlacedCore j(b, p.j, random.uniform(0.3, 0.8) * p.direction);
+        const Penetration found = core_penetration(i, j);
+        ASSERT_TRUE(found.converged) << k;
+        const auto overlap_along = [&](const Vec3& n) {
+            return n.dot(j.support(n, 0).position - i.support(-n, 0).position);
+        };
+        ASSERT_NEAR(overlap_along(found.normal), found.depth, 1e-7) << k;
+        for (int trial = 0; trial < 200; ++trial)
+            ASSERT_GE(overlap_along(random.direction()), found.depth - 1e-8) << k;
+    }
+}
+
+TEST(ConvexContact, ASphereOfAnyKindTouchesAlike) {
+    const ConvexSolid ball = make_convex_sphere(0.5);
+    const Sphere sphere{0.4};
+    Random random(11, 1);
+    for (const auto& [name, solid] : convex_solids()) {
+        for (int k = 0; k < 50; ++k) {
+            const Vec3 n = random.direction();
+            const Quat q = random.orientation();
+            const double x = random.uniform(0.3, 1.8);
+            const PairState pair{x * n, still(q), still(random.orientation())};
+            const PairContact as_sphere = resting_contact(solid.shape, sphere, pair);
+            const SurfaceDistance d = surface_distance(solid.shape, q.conjugate() * (x * n));
+            ASSERT_EQ(as_sphere.touches(), d.distance < 0.4) << name;
+            if (!as_sphere.touches()) continue;
+            ASSERT_NEAR(as_sphere.overlap, 0.4 - d.distance, 1e-12) << name;
+            const PairState back{-x * n, pair.j, pair.i};
+            const PairContact other = resting_contact(sphere, solid.shape, back);
+            ASSERT_NEAR((other.force + as_sphere.force).norm(), 0.0, 1e-9 * other.force.norm());
+            const Clump one = make_clump({{0.0, 0.0, 0.0, 0.4, 1.0}});
+            PatchHistory history;
+            NodeCache cache;
+            ContactScratch scratch(100);
+            history.effective_radius = 0.25;
+            const PairContact as_clump =
+                collide(solid.shape, one, pair, elastic, 1e-6, {history, cache, scratch, 0.0});
+            ASSERT_NEAR((as_clump.force - as_sphere.force).norm(), 0.0, 1e-9 * other.force.norm());
+        }
+    }
+    const PairContact two =
+        resting_contact(ball.shape, ball.shape, {{0.0, 0.0, 0.9}, still({}), still({})});
+    EXPECT_NEAR(two.overlap, 0.1, 1e-12);
+}
+
+// Cores that overlap: the contact goes on as if they did not.
+TEST(ConvexContact, OverlapRisesThroughTheOverlapOfTheCores) {
+    for (const auto& [name, solid] : convex_solids()) {
+        if (solid.shape.is_strictly_convex()) continue;
+        Random random(12, 1);
+        for (int k = 0; k < 10; ++k) {
+            const Poses p = random_poses(random, k < 5 ? pi : 0.0);
+            double last = 0.0;
+            double last_x = 0.0;
+            for (double x = 2.5; x > 0.1; x -= 1e-3) {
+                const PairContact c = resting_contact(solid.shape, solid.shape,
+                                                      {x * p.direction, still(p.i), still(p.j)});
+                if (last > 0.0) {
+                    ASSERT_GT(c.overlap, 0.95 * last) << name << ' ' << x;
+                    ASSERT_LT(c.overlap, last + 4.0 * (last_x - x)) << name << ' ' << x;
+                    ASSERT_TRUE(c.force.allFinite() && c.torque_i.allFinite());
+                }
+                last = c.overlap;
+                last_x = x;
+                if (last > 0.15) break;
+            }
+            EXPECT_GT(last, 0.0);
+        }
+    }
+}
+
+// What a pair remembers of a miss must not change a bit of the contact that follows.
+TEST(ConvexContact, TheMissCacheNeverChangesABit) {
+    Random random(13, 1);
+    const auto solids = convex_solids();
+    for (int k = 0; k < 400; ++k) {
+        const ConvexShape& a = solids[static_cast<std::size_t>(k) % solids.size()].second.shape;
+        const ConvexShape& b =
+            solids[static_cast<std::size_t>(k) / 10 % solids.size()].second.shape;
+        const Poses p = random_poses(random, k % 2 == 0 ? pi : 1e-3);
+        Host fresh;
+        Host used;
+        bool touched = false;
+        for (double x = 2.6; x > 1.0 && !touched; x -= 0.01) {
+            const PairState pair{x * p.direction + p.offset, still(p.i), still(p.j)};
+            fresh.miss = {};
+            const PairContact c = collide(a, b, pair, elastic, 1e-6, fresh.memory());
+            const PairContact d = collide(a, b, pair, elastic, 1e-6, used.memory());
+            ASSERT_EQ(c.touches(), d.touches());
+            ASSERT_EQ(c.force, d.force);
+            ASSERT_EQ(c.torque_i, d.torque_i);
+            touched = c.touches();
+            if (!touched && used.miss.gap > 0.0) {
+                const Vec3 toward = used.miss.gap * (1.0 - 1e-9) * random.direction();
+                PairState nearer = pair;
+                nearer.displacement += toward;
+                Host other;
+                ASSERT_FALSE(collide(a, b, nearer, elastic, 1e-6, other.memory()).touches());
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace dem::test
