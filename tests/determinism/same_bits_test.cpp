@@ -235,7 +235,7 @@ INSTANTIATE_TEST_SUITE_P(
                     NamedScene{"continuous", continuous_mixture, 1e-5, 3000},
                     NamedScene{"nodes", node_mixture, 1e-5, 3000},
                     NamedScene{"clumps", clump_mixture, 1e-5, 3000},
-                    NamedScene{"convex", convex_mixture, 1e-5, 500}),
+                    NamedScene{"convex", convex_mixture, 1e-5, 1500}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
