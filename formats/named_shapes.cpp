@@ -4,7 +4,7 @@
 #include "common/error.hpp"
 #include "common/shapes/arcs.hpp"
 #include "common/shapes/profile_curves.hpp"
-#include "common/units.hpp"
+#include "formats/shape_parameters.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,57 +14,6 @@ namespace dem {
 namespace {
 
 using Segments = std::vector<ProfileSegment>;
-
-/// The settings of a named shape, by name, with their places for messages.
-class Parameters {
-  public:
-    explicit Parameters(const ProfileText& text) : text_(text) {}
-
-    bool has(std::string_view name) const { return text_.settings.contains(name); }
-
-    double length(std::string_view name) const {
-        const auto& [value, line] = setting(name, "a length");
-        const double result = text_.length(value, line);
-        if (!(result > 0.0)) fail(name, "a length above zero");
-        return result;
-    }
-    double length_or_zero(std::string_view name) const {
-        const auto& [value, line] = setting(name, "a length");
-        const double result = text_.length(value, line);
-        if (!(result >= 0.0)) fail(name, "a length that is not negative");
-        return result;
-    }
-    /// A radius that may be given as a diameter instead.
-    double radius() const {
-        if (has("radius") && has("diameter")) fail("diameter", "either 'radius' or 'diameter'");
-        return has("diameter") ? 0.5 * length("diameter") : length("radius");
-    }
-    double number(std::string_view name) const {
-        const auto& [value, line] = setting(name, "a number");
-        try {
-            return parse_quantity(value, Dimension::none);
-        } catch (const Error& problem) {
-            throw Error(text_.place(line), problem.what());
-        }
-    }
-
-    [[noreturn]] void fail(std::string_view name, const std::string& expected) const {
-        const auto& [value, line] = text_.settings.find(name)->second;
-        throw Error(text_.place(line), "'" + std::string(name) + " = " + std::string(value) +
-                                           "' found, expected " + expected);
-    }
-
-  private:
-    const ProfileText::Setting& setting(std::string_view name, const char* expected) const {
-        const auto found = text_.settings.find(name);
-        if (found != text_.settings.end()) return found->second;
-        const auto& shape = text_.settings.find("shape")->second;
-        throw Error(text_.place(shape.line), "'" + std::string(name) + "' is missing, expected " +
-                                                 expected + " for shape " + in_quotes(shape.value));
-    }
-
-    const ProfileText& text_;
-};
 
 ProfileSegment ellipse(double a, double c) {
     return EllipseArc{Vec2::Zero(), a, c, -0.5 * pi, 0.5 * pi};
@@ -77,16 +26,16 @@ Segments lines(const std::vector<Vec2>& points) {
     return segments;
 }
 
-Segments sphere(const Parameters& p) {
+Segments sphere(const ShapeParameters& p) {
     const double radius = p.radius();
     return {ellipse(radius, radius)};
 }
 
-Segments spheroid(const Parameters& p) {
+Segments spheroid(const ShapeParameters& p) {
     return {ellipse(p.length("a"), p.length("c"))};
 }
 
-Segments superquadric(const Parameters& p) {
+Segments superquadric(const ShapeParameters& p) {
     const double exponent = p.number("exponent");
     if (!(exponent >= 1.0 && exponent <= 100.0)) p.fail("exponent", "a number from 1 to 100");
     const double a = p.length("a");
@@ -97,21 +46,21 @@ Segments superquadric(const Parameters& p) {
     return {quarters[0], quarters[1]};
 }
 
-Segments cylinder(const Parameters& p) {
+Segments cylinder(const ShapeParameters& p) {
     const double radius = p.radius();
     const double h = 0.5 * p.length("height");
     return lines({{0.0, -h}, {radius, -h}, {radius, h}, {0.0, h}});
 }
 
 /// Rounds both edges of a tablet: cap, band, cap.
-Segments with_rounded_edges(const Segments& tablet, double radius, const Parameters& p) {
+Segments with_rounded_edges(const Segments& tablet, double radius, const ShapeParameters& p) {
     const auto lower = fillet(tablet[0], tablet[1], radius);
     const auto upper = lower ? fillet(lower->after, tablet[2], radius) : std::nullopt;
     if (!upper) p.fail("edge_radius", "a radius small enough for the band and the caps");
     return {lower->before, lower->arc, upper->before, upper->arc, upper->after};
 }
 
-Segments tablet(const Parameters& p) {
+Segments tablet(const ShapeParameters& p) {
     const double radius = p.length("band_radius");
     const double half_band = 0.5 * p.length("band_height");
     const double cap = p.length("cap_height");
@@ -127,7 +76,7 @@ Segments tablet(const Parameters& p) {
     return edge > 0.0 ? with_rounded_edges(sharp, edge, p) : sharp;
 }
 
-Segments frustum(const Parameters& p) {
+Segments frustum(const ShapeParameters& p) {
     const double bottom = p.length_or_zero("bottom_radius");
     const double top = p.length_or_zero("top_radius");
     const double h = 0.5 * p.length("height");
@@ -139,7 +88,7 @@ Segments frustum(const Parameters& p) {
     return lines(points);
 }
 
-Segments spherocylinder(const Parameters& p) {
+Segments spherocylinder(const ShapeParameters& p) {
     const double radius = p.radius();
     const double h = 0.5 * p.length("cylinder_height");
     return {EllipseArc{Vec2(0.0, -h), radius, radius, -0.5 * pi, 0.0},
@@ -147,7 +96,7 @@ Segments spherocylinder(const Parameters& p) {
             EllipseArc{Vec2(0.0, h), radius, radius, 0.0, 0.5 * pi}};
 }
 
-Segments cassini(const Parameters& p) {
+Segments cassini(const ShapeParameters& p) {
     const double focus = p.length("focus");
     const double product_root = p.length("product_root");
     if (!(product_root > focus * (1.0 + 1e-6)))
@@ -156,7 +105,7 @@ Segments cassini(const Parameters& p) {
 }
 
 /// The Cassini oval of a length and a waist: length^2/4 = p^2 + f^2, waist^2/4 = p^2 - f^2.
-Segments peanut(const Parameters& p) {
+Segments peanut(const ShapeParameters& p) {
     const double length = p.length("length");
     const double waist = p.length("waist");
     if (!(waist < length)) p.fail("waist", "a waist smaller than the length");
@@ -164,7 +113,7 @@ Segments peanut(const Parameters& p) {
                          std::sqrt((square(length) + square(waist)) / 8.0))};
 }
 
-Segments red_blood_cell(const Parameters& p) {
+Segments red_blood_cell(const ShapeParameters& p) {
     const double diameter = p.length("diameter");
     // Evans & Fung (1972), Table 1, tonicity 300 mO: a cell of 7.82 um.
     std::array<double, 3> c{0.81, 7.83, -4.39};
@@ -175,7 +124,7 @@ Segments red_blood_cell(const Parameters& p) {
 struct NamedShape {
     std::string name;
     std::vector<std::string> parameters;
-    Segments (*make)(const Parameters&);
+    Segments (*make)(const ShapeParameters&);
 };
 
 const std::vector<NamedShape>& shapes() {
@@ -194,45 +143,19 @@ const std::vector<NamedShape>& shapes() {
     return list;
 }
 
-const NamedShape& find_shape(const ProfileText& text, const ProfileText::Setting& shape) {
-    std::vector<std::string> names;
-    std::string list;
-    for (const NamedShape& candidate : shapes()) {
-        if (candidate.name == shape.value) return candidate;
-        names.push_back(candidate.name);
-        list += (list.empty() ? "" : ", ") + candidate.name;
-    }
-    throw Error(text.place(shape.line), "unknown shape " + in_quotes(shape.value) +
-                                            ", expected one of " + list +
-                                            suggestion(shape.value, names));
-}
-
-void check_names(const ProfileText& text, const NamedShape& shape) {
-    for (const auto& [name, setting] : text.settings) {
-        if (name == "units" || name == "shape") continue;
-        const auto& known = shape.parameters;
-        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-        std::string list;
-        for (const std::string& parameter : known) list += (list.empty() ? "" : ", ") + parameter;
-        throw Error(text.place(setting.line), "unknown parameter " + in_quotes(name) +
-                                                  " of shape '" + shape.name + "', expected " +
-                                                  list + suggestion(name, known));
-    }
-}
-
 }  // namespace
 
 ProfileDraft named_shape(const ProfileText& text) {
-    const ProfileText::Setting& setting = text.settings.find("shape")->second;
-    const NamedShape& shape = find_shape(text, setting);
-    check_names(text, shape);
+    const NamedShape& shape = find_named(text, shapes());
+    check_parameters(text, shape.parameters);
     if (!text.statements.empty())
         throw Error(text.place(text.statements.front().line),
                     in_quotes(text.statements.front().text) +
                         " found, expected only parameters of shape '" + shape.name + "'");
     ProfileDraft draft;
-    for (const ProfileSegment& segment : shape.make(Parameters(text)))
-        draft.append(segment, text.place(setting.line));
+    const std::string label = text.place(text.settings.find("shape")->second.line);
+    for (const ProfileSegment& segment : shape.make(ShapeParameters(text)))
+        draft.append(segment, label);
     return draft;
 }
 

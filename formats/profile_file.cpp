@@ -6,18 +6,15 @@
 #include "formats/named_shapes.hpp"
 #include "formats/profile_path.hpp"
 #include "formats/profile_text.hpp"
+#include "formats/text_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <utility>
 
 namespace dem {
 namespace {
-
-/// A million points of two numbers with 17 digits each take about 50 MB.
-constexpr std::uintmax_t largest_file = 64U << 20U;
 
 std::string_view first_word(std::string_view text) {
     return text.substr(0, text.find_first_of(" \t,;"));
@@ -31,19 +28,6 @@ bool starts_a_number(std::string_view text) {
 
 bool is_not_a_number(std::string_view word) {
     return word == "nan" || word == "NaN" || word == "inf" || word == "-inf" || word == "-nan";
-}
-
-/// The columns of a row, separated by blanks, a comma or a semicolon.
-std::vector<std::string_view> columns(std::string_view row) {
-    std::vector<std::string_view> result;
-    constexpr std::string_view separators = " \t,;";
-    while (true) {
-        row.remove_prefix(std::min(row.find_first_not_of(separators), row.size()));
-        if (row.empty()) return result;
-        const std::size_t end = std::min(row.find_first_of(separators), row.size());
-        result.push_back(row.substr(0, end));
-        row.remove_prefix(end);
-    }
 }
 
 /// Points `r z` joined by lines; repeated points count once.
@@ -118,30 +102,6 @@ void close_by_discs(ProfileDraft& draft) {
                      draft.labels.back() + " (closing disc)");
 }
 
-std::string read_file(const std::string& path) {
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) throw Error(path, "no such file, expected a profile");
-    if (std::filesystem::is_directory(status))
-        throw Error(path, "is a folder, expected a profile file");
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw Error(path, "cannot be opened, expected a readable profile file");
-    std::string bytes;
-    bytes.resize(1U << 16U);
-    std::size_t size = 0;
-    while (stream.read(bytes.data() + size, static_cast<std::streamsize>(bytes.size() - size)) ||
-           stream.gcount() > 0) {
-        size += static_cast<std::size_t>(stream.gcount());
-        if (size > largest_file)
-            throw Error(path, "more than 64 MB found, expected a profile of at most " +
-                                  std::to_string(most_profile_lines) + " points");
-        if (size == bytes.size()) bytes.resize(2 * bytes.size());
-    }
-    if (stream.bad()) throw Error(path, "reading failed, expected a readable profile file");
-    bytes.resize(size);
-    return bytes;
-}
-
 }  // namespace
 
 ProfileFile parse_profile(std::string_view text, const std::string& path) {
@@ -159,7 +119,7 @@ ProfileFile parse_profile(std::string_view text, const std::string& path) {
 }
 
 ProfileFile read_profile(const std::string& path) {
-    return parse_profile(read_file(path), path);
+    return parse_profile(read_text_file(path, "profile"), path);
 }
 
 }  // namespace dem

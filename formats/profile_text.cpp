@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 #include "common/units.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -90,6 +91,18 @@ ProfileText parse_profile_text(std::string_view text, const std::string& path) {
         }
     }
     return result;
+}
+
+std::vector<std::string_view> columns(std::string_view row) {
+    std::vector<std::string_view> result;
+    constexpr std::string_view separators = " \t,;";
+    while (true) {
+        row.remove_prefix(std::min(row.find_first_not_of(separators), row.size()));
+        if (row.empty()) return result;
+        const std::size_t end = std::min(row.find_first_of(separators), row.size());
+        result.push_back(row.substr(0, end));
+        row.remove_prefix(end);
+    }
 }
 
 std::string in_quotes(std::string_view word) {

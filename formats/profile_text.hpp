@@ -53,6 +53,9 @@ struct ProfileDraft {
     }
 };
 
+/// The columns of a row, separated by blanks, a comma or a semicolon.
+std::vector<std::string_view> columns(std::string_view row);
+
 /// The word in quotes, cut when it is long.
 std::string in_quotes(std::string_view word);
 

@@ -100,13 +100,32 @@ std::string format(const char* pattern, Values... values) {
     return text;
 }
 
+std::string core_text(const ConvexShape& shape) {
+    const std::string rounding = format(", and all within %.6g mm of it\n", 1e3 * shape.rounding);
+    switch (shape.core) {
+        case ConvexShape::Core::ellipsoid:
+            return "  core              ellipsoid" + rounding;
+        case ConvexShape::Core::cylinder:
+            return "  core              cylinder" + rounding;
+        case ConvexShape::Core::cone:
+            return "  core              cone" + rounding;
+        case ConvexShape::Core::polyhedron:
+            break;
+    }
+    return format("  core              polyhedron, vertices: %zu, faces: %zu",
+                  shape.vertices.size(), shape.face_count()) +
+           rounding;
+}
+
 std::string text_of(const ParticleTemplate& shape) {
     const MassProperties& mass = shape.mass_properties;
     const Vec3& c = mass.center_of_mass;
     const Vec3& moments = mass.principal_moments_per_density;
     const Counts n = counts(shape);
-    std::string text =
-        shape.name + ": " + kind_name(shape) + (shape.is_convex ? ", convex\n" : ", not convex\n");
+    const auto* convex = std::get_if<ConvexShape>(&shape.shape);
+    std::string text = shape.name + ": " + kind_name(shape);
+    text += convex != nullptr ? "\n" : shape.is_convex ? ", convex\n" : ", not convex\n";
+    if (convex != nullptr) text += core_text(*convex);
     text += format("  volume            %.7g mm^3 (sphere of equal volume: %.6g mm)\n",
                    1e9 * mass.volume, 1e3 * equivalent_diameter(mass.volume));
     // What rounding leaves of a zero is shown as zero; --json has every digit.

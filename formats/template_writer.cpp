@@ -157,24 +157,44 @@ std::uint64_t largest_size(const ParticleTemplate& shape) {
     return size;
 }
 
+/// What the file's own tables add to the payload, at most [bytes].
+std::uint64_t frame_size(std::size_t shapes) {
+    constexpr std::uint64_t texts = 1 << 16;  // command line and version
+    return texts + shapes * sizeof(flatbuffers::uoffset_t);
+}
+
 }  // namespace
 
-flatbuffers::DetachedBuffer encode_template(const TemplateFile& content) {
-    // The builder itself only asserts that it stays within its limit.
-    const std::uint64_t frame = 4096 + content.command.size() + content.shapegen_version.size() +
-                                content.shapes.size() * sizeof(flatbuffers::uoffset_t);
-    FlatBufferBuilder fbb(1 << 16);
+struct TemplateBuilder::Encoder {
+    FlatBufferBuilder fbb{1 << 16};
     std::vector<Offset<schema::Shape>> shapes;
-    shapes.reserve(content.shapes.size());
-    for (const ParticleTemplate& shape : content.shapes) {
-        if (fbb.GetSize() + largest_size(shape) + frame > largest_template_payload) {
-            throw Error("shape " + std::to_string(shapes.size()) + " of " +
-                        std::to_string(content.shapes.size()) +
-                        ": the template exceeds the 2 GB that one file can hold, split the library "
-                        "or lower the resolution");
-        }
-        shapes.push_back(encode(fbb, shape));
+    std::size_t count = 0;
+};
+
+TemplateBuilder::TemplateBuilder(std::size_t count) : encoder_(std::make_unique<Encoder>()) {
+    encoder_->count = count;
+    encoder_->shapes.reserve(count);
+}
+
+TemplateBuilder::~TemplateBuilder() = default;
+
+std::uint64_t TemplateBuilder::byte_size() const {
+    return encoder_->fbb.GetSize();
+}
+
+void TemplateBuilder::add(const ParticleTemplate& shape) {
+    auto& [fbb, shapes, count] = *encoder_;
+    // The builder itself only asserts that it stays within its limit.
+    if (fbb.GetSize() + largest_size(shape) + frame_size(count) > largest_template_payload) {
+        throw Error("shape " + std::to_string(shapes.size()) + " of " + std::to_string(count) +
+                    ": the template exceeds the 2 GB that one file can hold, split the library "
+                    "or lower the resolution");
     }
+    shapes.push_back(encode(fbb, shape));
+}
+
+flatbuffers::DetachedBuffer TemplateBuilder::finish(const TemplateFile& content) {
+    auto& [fbb, shapes, count] = *encoder_;
     const auto command = fbb.CreateString(content.command);
     const auto version = fbb.CreateString(content.shapegen_version);
     const auto all = fbb.CreateVector(shapes);
@@ -182,17 +202,29 @@ flatbuffers::DetachedBuffer encode_template(const TemplateFile& content) {
     return fbb.Release();
 }
 
-void write_template(const std::filesystem::path& path, const TemplateFile& content) {
-    if (content.shapes.empty()) throw Error(path.string(), "no shape to write");
-    for (std::size_t i = 0; i < content.shapes.size(); ++i) {
-        check_template(content.shapes[i], shape_place(path.string(), i, content.shapes[i].name));
-    }
-    const flatbuffers::DetachedBuffer payload = encode_template(content);
+void TemplateBuilder::write(const std::filesystem::path& path, const TemplateFile& content) {
+    const flatbuffers::DetachedBuffer payload = finish(content);
     const auto bytes = std::as_bytes(std::span(payload.data(), payload.size()));
     AtomicFile file(path);
     file.write(template_header(bytes));
     file.write(bytes);
     file.commit();
+}
+
+flatbuffers::DetachedBuffer encode_template(const TemplateFile& content) {
+    TemplateBuilder builder(content.shapes.size());
+    for (const ParticleTemplate& shape : content.shapes) builder.add(shape);
+    return builder.finish(content);
+}
+
+void write_template(const std::filesystem::path& path, const TemplateFile& content) {
+    if (content.shapes.empty()) throw Error(path.string(), "no shape to write");
+    for (std::size_t i = 0; i < content.shapes.size(); ++i) {
+        check_template(content.shapes[i], shape_place(path.string(), i, content.shapes[i].name));
+    }
+    TemplateBuilder builder(content.shapes.size());
+    for (const ParticleTemplate& shape : content.shapes) builder.add(shape);
+    builder.write(path, content);
 }
 
 }  // namespace dem

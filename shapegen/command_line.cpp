@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 #include "common/units.hpp"
 #include "shapegen/clump_options.hpp"
+#include "shapegen/convex_options.hpp"
 #include "shapegen/import/mesh_file.hpp"
 
 #include <sstream>
@@ -54,12 +55,13 @@ po::options_description inspect_options() {
 
 po::options_description export_options() {
     po::options_description options("Exporting");
-    options.add_options()("output,o", po::value<std::string>()->value_name("FILE"),
-                          "the file to write. Surface of revolution: .svg picture of the "
-                          "cross-section, the nodes and the curvature; .stl or .vtu display mesh; "
-                          ".csv surface nodes. Clump, in the frame and unit of the input: .csv "
-                          "spheres; .stl spheres as triangles; .vtu or .obj body and clump; .svg "
-                          "picture of both, colored by deviation")(
+    options.add_options()(
+        "output,o", po::value<std::string>()->value_name("FILE"),
+        "the file to write. Surface of revolution: .svg picture of the "
+        "cross-section, the nodes and the curvature; .stl or .vtu display mesh; "
+        ".csv surface nodes. Clump, in the frame and unit of the input: .csv "
+        "spheres; .stl spheres as triangles; .vtu or .obj body and clump; .svg "
+        "picture of both, colored by deviation. Library: .svg of the first 25 shapes")(
         "format", po::value<std::string>()->value_name("CODE"),
         "a clump for liggghts, lammps, yade, mercurydpm (a folder) or dem-engine")(
         "density", po::value<std::string>()->default_value("1000 kg/m^3")->value_name("D"),
@@ -75,6 +77,9 @@ std::string help_text() {
            "the error\nit makes, into a template for demrun.\n\n"
            "  shapegen PROFILE [-o OUT.tpl] [options]\n"
            "  shapegen MESH|PROFILE --clump 0.95 [-o OUT.tpl] [options]\n"
+           "  shapegen SHAPE.convex [-o OUT.tpl] [--rounding R]\n"
+           "  shapegen MESH --convex [--vertices N] [--rounding R] [-o OUT.tpl]\n"
+           "  shapegen generate sand|woodchips --count N -o OUT.tpl [options]\n"
            "  shapegen inspect FILE.tpl [--json]\n"
            "  shapegen export FILE.tpl -o FILE.{svg,stl,obj,vtu,csv} [--shape NAME|INDEX]\n"
            "  shapegen export FILE.tpl -o FILE --format "
@@ -84,7 +89,9 @@ std::string help_text() {
         << cook_options() << '\n'
         << sr_options() << '\n'
         << clump_options() << '\n'
+        << convex_options() << '\n'
         << mesh_options() << '\n'
+        << generate_options() << '\n'
         << inspect_options() << '\n'
         << export_options() << '\n'
         << common_options()
@@ -174,46 +181,50 @@ bool wants_words(const po::variables_map& values, PrintCommand& print) {
 }
 
 /// At most one way to make a shape, and no option of another way.
-void check_modes(const po::variables_map& values, bool is_clump) {
+void check_modes(const po::variables_map& values, const CookCommand& command) {
     Words found;
-    for (const char* mode : {"sr", "sphere", "clump", "clump-spheres", "clump-error"})
+    for (const char* mode : {"sr", "sphere", "clump", "clump-spheres", "clump-error", "convex"})
         if (values.count(mode) != 0) found.emplace_back(mode);
     if (found.size() > 1)
         throw UsageError("command line",
                          "found --" + found[0] + " and --" + found[1] + ", expected one of them");
-    if (!is_clump) return;
+    if (is_convex_file(command.input) && !found.empty() && found[0] != "convex")
+        throw UsageError("--" + found[0], "found it with " + command.input.string() +
+                                              ", expected it with a mesh or a profile");
+    if (!command.clump && !command.convex) return;
     for (const char* option : {"nodes", "base-cells", "interface-cells", "corner-cells"})
         if (!values[option].defaulted())
             throw UsageError("--" + std::string(option),
-                             "found it with --" + found[0] + ", expected it with --sr only");
+                             "found it with a shape of another kind, expected it with --sr only");
 }
 
 /// The options of meshes mean nothing for a profile, which says its unit itself.
 void check_input_kind(const po::variables_map& values, const CookCommand& command) {
     if (is_mesh_file(command.input)) {
-        if (!command.clump)
+        if (!command.clump && !command.convex)
             throw UsageError(command.input.string(),
-                             "found a mesh without a mode, expected --clump C, --clump-spheres N "
-                             "or --clump-error E%");
+                             "found a mesh without a mode, expected --clump C, --clump-spheres N, "
+                             "--clump-error E% or --convex");
         return;
     }
     for (const char* option : {"unit", "scale", "repair-limit", "largest"})
         if (values.count(option) != 0 && !values[option].defaulted())
             throw UsageError("--" + std::string(option),
-                             "found it with the profile " + command.input.string() +
+                             "found it with " + command.input.string() +
                                  ", expected it with a mesh (.stl, .obj, .ply, .off, .gltf, .glb)");
 }
 
 Command parse_cook(const Words& words) {
     po::options_description options = cook_options();
-    options.add(sr_options()).add(clump_options()).add(mesh_options());
+    options.add(sr_options()).add(clump_options()).add(convex_options()).add(mesh_options());
     const po::variables_map values = parse(words, options);
     PrintCommand print;
     if (wants_words(values, print)) return print;
     CookCommand command;
-    command.input = one_input(values, "a mesh or a .profile file");
+    command.input = one_input(values, "a mesh, a .profile or a .convex file");
     command.clump = read_clump_options(values);
-    check_modes(values, command.clump.has_value());
+    command.convex = read_convex_options(values, command.input);
+    check_modes(values, command);
     check_input_kind(values, command);
     command.mesh = read_mesh_options(values);
     command.options = read_options(values);
@@ -222,6 +233,16 @@ Command parse_cook(const Words& words) {
                          : command.input.filename().replace_extension(".tpl");
     command.is_quiet = values.count("quiet") != 0;
     command.text = "shapegen";
+    for (const std::string& word : words) command.text += ' ' + word;
+    return command;
+}
+
+Command parse_generate(const Words& words) {
+    const po::variables_map values = parse(words, generate_options());
+    PrintCommand print;
+    if (wants_words(values, print)) return print;
+    GenerateCommand command = read_generate_options(values, one_input(values, "sand or woodchips"));
+    command.text = "shapegen generate";
     for (const std::string& word : words) command.text += ' ' + word;
     return command;
 }
@@ -262,6 +283,7 @@ Command parse_command_line(std::span<const char* const> arguments) {
     const Words words(arguments.begin() + 1, arguments.end());
     if (words.empty()) return parse_cook(words);
     const Words rest(words.begin() + 1, words.end());
+    if (words.front() == "generate") return parse_generate(rest);
     if (words.front() == "inspect") return parse_inspect(rest);
     if (words.front() == "export") return parse_export(rest);
     return parse_cook(words);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "shapegen/clump_options.hpp"
+#include "shapegen/convex_options.hpp"
 #include "shapegen/pipeline/cook.hpp"
 
 #include <filesystem>
@@ -15,7 +16,8 @@ namespace dem {
 struct CookCommand {
     std::filesystem::path input, output;
     CookOptions options;
-    std::optional<ClumpCommand> clump;  ///< instead of the options above
+    std::optional<ClumpCommand> clump;    ///< instead of the options above
+    std::optional<ConvexRequest> convex;  ///< the same
     MeshLoadOptions mesh;
     bool is_quiet = false;
     std::string text;  ///< the whole command line, kept in the template
@@ -40,7 +42,8 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<CookCommand, InspectCommand, ExportCommand, PrintCommand>;
+using Command =
+    std::variant<CookCommand, GenerateCommand, InspectCommand, ExportCommand, PrintCommand>;
 
 /// Throws UsageError with one line that says what was found and what was expected.
 Command parse_command_line(std::span<const char* const> arguments);

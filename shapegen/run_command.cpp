@@ -9,8 +9,10 @@
 #include "formats/template_reader.hpp"
 #include "formats/template_summary.hpp"
 #include "formats/template_writer.hpp"
+#include "shapegen/picture/contact_sheet.hpp"
 #include "shapegen/picture/convergence_plot.hpp"
 #include "shapegen/pipeline/export.hpp"
+#include "shapegen/pipeline/generate.hpp"
 
 #include <array>
 #include <chrono>
@@ -96,11 +98,18 @@ Cooked cook_solid(const CookCommand& command) {
     return {std::move(clump.shape), solid.hash, solid.lines};
 }
 
+Cooked cook_body(const CookCommand& command) {
+    if (command.clump) return cook_solid(command);
+    if (!command.convex) return cook_profile(command);
+    CookedConvex cooked = cook_convex(command.input, *command.convex, command.mesh);
+    return {std::move(cooked.shape), cooked.hash, std::move(cooked.lines)};
+}
+
 void run(const CookCommand& command, std::ostream& out) {
     const auto start = std::chrono::steady_clock::now();
     keep_input(command.input, command.output);
     if (command.clump) keep_input(command.input, command.clump->convergence);
-    Cooked cooked = command.clump ? cook_solid(command) : cook_profile(command);
+    Cooked cooked = cook_body(command);
     TemplateFile result;
     result.command = command.text;
     result.input_hash = cooked.input_hash;
@@ -118,6 +127,26 @@ void run(const CookCommand& command, std::ostream& out) {
     out << template_text(result) << command.output.string() << words.data();
 }
 
+void run(const GenerateCommand& command, std::ostream& out) {
+    const auto start = std::chrono::steady_clock::now();
+    LateProgress progress("shapegen generate", command.is_quiet);
+    const LibraryRequest request{command.grains, command.count, command.text,
+                                 part(progress, 0.0, 1.0)};
+    const LibrarySummary made = generate_library(request, command.output);
+    if (command.is_quiet) return;
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    std::array<char, 300> words{};
+    std::snprintf(
+        words.data(), words.size(),
+        "%s: %llu shapes of %.1f vertices on average, volumes %.4g to %.4g m^3, mean "
+        "%.4g\n  rounded bodies within %.2g d_eq of their polyhedra, of equal volume\n"
+        "  %.0f KB in %.2f s\n",
+        command.output.string().c_str(), static_cast<unsigned long long>(command.count),
+        made.mean_vertices, made.smallest, made.largest, made.mean, made.surface_deviation,
+        1e-3 * static_cast<double>(std::filesystem::file_size(command.output)), seconds.count());
+    out << words.data();
+}
+
 void run(const InspectCommand& command, std::ostream& out) {
     const TemplateFile file = read_template(command.input);
     out << (command.as_json ? template_json(file) : template_text(file));
@@ -126,6 +155,9 @@ void run(const InspectCommand& command, std::ostream& out) {
 void run(const ExportCommand& command, std::ostream&) {
     keep_input(command.input, command.output);
     const TemplateFile file = read_template(command.input);
+    if (command.shape.empty() && command.format.empty() && file.shapes.size() > 1 &&
+        command.output.extension() == ".svg")
+        return write_file(command.output, contact_sheet(file.shapes));
     const ParticleTemplate& shape = find_shape(file, command.input.string(), command.shape);
     if (command.format.empty())
         export_shape(shape, command.output);

@@ -66,22 +66,6 @@ void move_to_body_frame(ConvexShape& shape, const MassProperties& mass) {
     index_core(shape);
 }
 
-ConvexShape polyhedral_core(const ConvexPolyhedron& hull, double rounding) {
-    ConvexShape shape;
-    shape.rounding = rounding;
-    shape.vertices = hull.vertices;
-    std::vector<Index> begin{0};
-    std::vector<Index> corners;
-    for (const auto& face : hull.faces) {
-        corners.insert(corners.end(), face.begin(), face.end());
-        begin.push_back(static_cast<Index>(corners.size()));
-    }
-    shape.face_begin = std::move(begin);
-    shape.face_vertices = std::move(corners);
-    index_core(shape);
-    return shape;
-}
-
 ConvexShape round_core(Core core, const Vec3& size, double low, double rounding) {
     ConvexShape shape;
     shape.core = core;
@@ -108,6 +92,22 @@ ConvexSolid swept_sphere(double half, double radius) {
 }
 
 }  // namespace
+
+ConvexShape rounded_around(const ConvexPolyhedron& core, double rounding) {
+    ConvexShape shape;
+    shape.rounding = rounding;
+    shape.vertices = core.vertices;
+    std::vector<Index> begin{0};
+    std::vector<Index> corners;
+    for (const auto& face : core.faces) {
+        corners.insert(corners.end(), face.begin(), face.end());
+        begin.push_back(static_cast<Index>(corners.size()));
+    }
+    shape.face_begin = std::move(begin);
+    shape.face_vertices = std::move(corners);
+    index_core(shape);
+    return shape;
+}
 
 ConvexSolid with_mass_properties(ConvexShape shape) {
     const ConvexMoments m = convex_moments(shape);
@@ -139,8 +139,8 @@ ConvexSolid make_convex_polyhedron(std::span<const Vec3> points, double rounding
     for (const Vec3& v : hull.vertices) origin += v;
     origin /= static_cast<double>(hull.vertices.size());
     for (Vec3& v : hull.vertices) v -= origin;
-    const double sharp = convex_moments(polyhedral_core(hull, 0.0)).volume;
-    ConvexSolid result = solid(polyhedral_core(eroded(hull, rounding), rounding), sharp);
+    const double sharp = convex_moments(rounded_around(hull, 0.0)).volume;
+    ConvexSolid result = solid(rounded_around(eroded(hull, rounding), rounding), sharp);
     result.mass_properties.center_of_mass += origin;
     return result;
 }
@@ -153,7 +153,7 @@ ConvexSolid make_cuboid(const Vec3& edge_lengths, double rounding) {
         const Vec3 sign(k & 1 ? 0.5 : -0.5, k & 2 ? 0.5 : -0.5, k & 4 ? 0.5 : -0.5);
         corners.emplace_back(sign.cwiseProduct(edge_lengths - Vec3::Constant(2.0 * rounding)));
     }
-    return solid(polyhedral_core(convex_hull(corners), rounding), edge_lengths.prod());
+    return solid(rounded_around(convex_hull(corners), rounding), edge_lengths.prod());
 }
 
 ConvexSolid make_cylinder(double radius, double height, double rounding) {

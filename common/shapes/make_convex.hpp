@@ -37,6 +37,10 @@ ConvexSolid make_capsule(double radius, double length);
 ConvexSolid make_rounded_disc(double radius, double thickness);
 ConvexSolid make_convex_sphere(double radius);
 
+/// A body that is the solid, as its core, and all within `rounding` of it; in the solid's frame,
+/// its size and mass properties left to with_mass_properties().
+ConvexShape rounded_around(const ConvexPolyhedron& core, double rounding);
+
 /// Mass properties of any convex shape, about any origin: its own frame is the frame of the input.
 ConvexSolid with_mass_properties(ConvexShape shape);
 

@@ -8,6 +8,7 @@
 #include "formats/number_text.hpp"
 #include "shapegen/picture/clump_picture.hpp"
 #include "shapegen/picture/clump_surface.hpp"
+#include "shapegen/picture/contact_sheet.hpp"
 #include "shapegen/picture/shape_picture.hpp"
 
 #include <array>
@@ -78,7 +79,9 @@ void export_shape(const ParticleTemplate& shape, const std::filesystem::path& pa
     if (std::holds_alternative<Clump>(shape.shape)) return export_clump(shape, path);
     const std::string extension = path.extension().string();
     if (extension == ".svg") {
-        write_file(path, shape_picture(shape, sr_shape(shape, "a picture")));
+        write_file(path, std::holds_alternative<ConvexShape>(shape.shape)
+                             ? contact_sheet({&shape, 1})
+                             : shape_picture(shape, sr_shape(shape, "a picture")));
     } else if (extension == ".stl") {
         write_stl(path, shape.display_mesh, shape.name);
     } else if (extension == ".vtu") {

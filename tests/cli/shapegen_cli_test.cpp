@@ -186,7 +186,8 @@ TEST_F(ShapegenCli, NamesAFileThatIsMissingOrOfTheWrongKind) {
     write("rubbish.tpl", "this is no template");
     expect_failure(run("inspect rubbish.tpl"), 1, "rubbish.tpl");
     write("bunny.stl", "solid bunny");
-    expect_failure(run("bunny.stl"), 2, "expected --clump C, --clump-spheres N or --clump-error");
+    expect_failure(run("bunny.stl"), 2,
+                   "expected --clump C, --clump-spheres N --clump-error E% or --convex");
 }
 
 TEST_F(ShapegenCli, NeverOverwritesItsInput) {

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "formats/convex_file.hpp"
+
+#include "common/error.hpp"
+#include "common/state_hash.hpp"
+#include "formats/shape_parameters.hpp"
+#include "formats/text_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+
+namespace dem {
+namespace {
+
+using Parameters = ShapeParameters;
+
+struct NamedConvex {
+    std::string name;
+    std::vector<std::string> parameters;
+    bool has_edges;  ///< that can be rounded
+    ConvexSolid (*make)(const Parameters& p, double rounding);
+};
+
+/// Rows `x y z` of a polyhedron [m].
+std::vector<Vec3> points(const ProfileText& text) {
+    std::vector<Vec3> result;
+    for (const auto& [row, line] : text.statements) {
+        const auto cells = columns(row);
+        if (cells.size() != 3)
+            throw Error(text.place(line), in_quotes(row) + " found, expected a point 'x y z'");
+        result.emplace_back(text.length(cells[0], line), text.length(cells[1], line),
+                            text.length(cells[2], line));
+    }
+    return result;
+}
+
+ConvexSolid sphere(const Parameters& p, double) {
+    return make_convex_sphere(p.radius());
+}
+ConvexSolid ellipsoid(const Parameters& p, double) {
+    return make_ellipsoid({p.length("a"), p.length("b"), p.length("c")});
+}
+ConvexSolid spheroid(const Parameters& p, double) {
+    return make_ellipsoid({p.length("a"), p.length("a"), p.length("c")});
+}
+ConvexSolid cylinder(const Parameters& p, double rounding) {
+    return make_cylinder(p.radius(), p.length("height"), rounding);
+}
+ConvexSolid cone(const Parameters& p, double rounding) {
+    return make_cone(p.radius(), p.length("height"), rounding);
+}
+ConvexSolid cuboid(const Parameters& p, double rounding) {
+    return make_cuboid({p.length("length"), p.length("width"), p.length("height")}, rounding);
+}
+ConvexSolid capsule(const Parameters& p, double) {
+    const double radius = p.radius();
+    const double length = p.length("length");
+    if (length < 2.0 * radius) p.fail("length", "at least twice the radius, from end to end");
+    return make_capsule(radius, length);
+}
+ConvexSolid spherocylinder(const Parameters& p, double) {
+    return make_capsule(p.radius(), p.length("cylinder_height") + 2.0 * p.radius());
+}
+ConvexSolid disc(const Parameters& p, double) {
+    const double thickness = p.length("thickness");
+    if (!(thickness < 2.0 * p.radius())) p.fail("thickness", "less than twice the radius");
+    return make_rounded_disc(p.radius(), thickness);
+}
+ConvexSolid polyhedron(const Parameters& p, double rounding) {
+    const auto corners = points(p.text());
+    return make_convex_polyhedron(corners, rounding);
+}
+
+const std::vector<NamedConvex>& shapes() {
+    static const std::vector<NamedConvex> list{
+        {"sphere", {"radius", "diameter"}, false, sphere},
+        {"ellipsoid", {"a", "b", "c"}, false, ellipsoid},
+        {"cylinder", {"radius", "diameter", "height", "rounding"}, true, cylinder},
+        {"cone", {"radius", "diameter", "height", "rounding"}, true, cone},
+        {"cuboid", {"length", "width", "height", "rounding"}, true, cuboid},
+        {"capsule", {"radius", "diameter", "length"}, false, capsule},
+        {"disc", {"radius", "diameter", "thickness"}, false, disc},
+        {"polyhedron", {"rounding"}, true, polyhedron}};
+    return list;
+}
+
+/// Profiles of the same names or of others.
+const std::vector<NamedConvex>& profiles() {
+    static const std::vector<NamedConvex> list{
+        {"sphere", {"radius", "diameter"}, false, sphere},
+        {"spheroid", {"a", "c"}, false, spheroid},
+        {"cylinder", {"radius", "diameter", "height"}, true, cylinder},
+        {"disc", {"radius", "diameter", "height"}, true, cylinder},
+        {"spherocylinder", {"radius", "diameter", "cylinder_height"}, false, spherocylinder}};
+    return list;
+}
+
+/// What the user asked for, on the command line or in the file.
+std::optional<Rounding> wanted_rounding(const ProfileText& text, const NamedConvex& shape,
+                                        const std::optional<Rounding>& from_command_line) {
+    if (from_command_line) {
+        if (!shape.has_edges)
+            throw Error(text.path, "--rounding found, expected none: a " + shape.name +
+                                       " has no edges to round");
+        return from_command_line;
+    }
+    const auto setting = text.settings.find("rounding");
+    if (setting == text.settings.end()) return std::nullopt;
+    try {
+        return parse_rounding(setting->second.value, text.unit);
+    } catch (const Error& problem) {
+        throw Error(text.place(setting->second.line), problem.what());
+    }
+}
+
+ConvexSolid rounded(const ProfileText& text, const NamedConvex& shape,
+                    const std::optional<Rounding>& wanted) {
+    const Parameters parameters(text);
+    // What the shape itself refuses is about the line of `shape`, or of `rounding` afterwards.
+    std::string place = text.place(text.settings.find("shape")->second.line);
+    try {
+        ConvexSolid sharp = shape.make(parameters, 0.0);
+        if (!shape.has_edges) return sharp;
+        if (const auto line = text.settings.find("rounding"); line != text.settings.end())
+            place = text.place(line->second.line);
+        const double volume = sharp.mass_properties.volume;
+        return shape.make(parameters,
+                          wanted ? wanted->radius(volume) : default_rounding(sharp.shape, volume));
+    } catch (const Error& problem) {
+        const std::string words = problem.what();
+        if (words.starts_with(text.path + ":")) throw;
+        throw Error(place, words);
+    }
+}
+
+/// How many points of a polyhedron are no corners of it.
+std::vector<std::string> notes(const ProfileText& text, const NamedConvex& shape) {
+    if (shape.name != "polyhedron") return {};
+    const auto given = points(text);
+    const std::size_t corners = convex_hull(given).vertices.size();
+    if (corners == given.size()) return {};
+    return {std::to_string(given.size()) + " points, of which " +
+            std::to_string(given.size() - corners) +
+            " are repeated or no corners of the hull: left out"};
+}
+
+ConvexFile convex(std::string_view bytes, const ProfileText& text, const NamedConvex& shape,
+                  const std::optional<Rounding>& rounding) {
+    check_parameters(text, shape.parameters);
+    if (!text.statements.empty() && shape.name != "polyhedron")
+        throw Error(text.place(text.statements.front().line),
+                    in_quotes(text.statements.front().text) +
+                        " found, expected only parameters of shape '" + shape.name + "'");
+    ConvexFile file;
+    file.solid = rounded(text, shape, wanted_rounding(text, shape, rounding));
+    file.name = std::filesystem::path(text.path).stem().string();
+    StateHash hash;
+    hash.add(std::span<const char>(bytes));
+    file.hash = hash.value();
+    file.unit = text.unit;
+    file.lines = notes(text, shape);
+    return file;
+}
+
+}  // namespace
+
+ConvexFile parse_convex(std::string_view bytes, const std::string& path,
+                        const std::optional<Rounding>& rounding) {
+    const ProfileText text = parse_profile_text(bytes, path);
+    if (text.settings.empty() && text.statements.empty())
+        throw Error(path, "the file is empty, expected a convex shape");
+    if (!text.settings.contains("shape"))
+        throw Error(path,
+                    "no shape found, expected 'shape = cuboid' or another of "
+                    "docs/convex-file.md");
+    return convex(bytes, text, find_named(text, shapes()), rounding);
+}
+
+ConvexFile read_convex(const std::string& path, const std::optional<Rounding>& rounding) {
+    return parse_convex(read_text_file(path, "convex shape"), path, rounding);
+}
+
+ConvexFile parse_convex_profile(std::string_view bytes, const std::string& path,
+                                const std::optional<Rounding>& rounding) {
+    const ProfileText text = parse_profile_text(bytes, path);
+    const auto name = text.settings.find("shape");
+    const auto& known = profiles();
+    const auto found = std::find_if(known.begin(), known.end(), [&](const NamedConvex& shape) {
+        return name != text.settings.end() && shape.name == name->second.value;
+    });
+    if (found == known.end())
+        throw Error(path,
+                    "found a profile that is no named sphere, spheroid, cylinder, disc or "
+                    "spherocylinder, expected --sr, which takes any convex profile exactly");
+    return convex(bytes, text, *found, rounding);
+}
+
+ConvexFile read_convex_profile(const std::string& path, const std::optional<Rounding>& rounding) {
+    return parse_convex_profile(read_text_file(path, "profile"), path, rounding);
+}
+
+}  // namespace dem

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "common/shapes/convex_hull.hpp"
+
+#include <cstddef>
+
+namespace dem {
+
+/// A convex solid inside another one, the hull of some of its vertices.
+struct FewerVertices {
+    ConvexPolyhedron solid;
+    /// Hausdorff distance of the two [m]: how far the farthest vertex that was left out lies
+    /// outside. The same for the two with an equal rounding around them.
+    double error_max = 0.0;
+};
+
+/// The hull of `count` vertices (at least four), each the one that lay farthest outside of the hull
+/// of those before it; a solid that has no more stays as it is.
+FewerVertices with_fewer_vertices(const ConvexPolyhedron& solid, std::size_t count);
+
+}  // namespace dem

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapegen/pipeline/cook_convex.hpp"
+
+#include "common/error.hpp"
+#include "common/shapes/convex_moments.hpp"
+#include "common/state_hash.hpp"
+#include "formats/memory_map.hpp"
+#include "shapegen/convex/convex_display.hpp"
+#include "shapegen/convex/fewer_vertices.hpp"
+#include "shapegen/import/mesh_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <utility>
+
+namespace dem {
+
+namespace {
+
+constexpr double display_tolerance = 1e-3;  // of the display mesh, in d_eq
+
+/// A body without rounding, in any frame.
+ConvexSolid sharp_solid(const ConvexPolyhedron& hull) {
+    return with_mass_properties(rounded_around(hull, 0.0));
+}
+
+double volume_of(const ConvexPolyhedron& core, double rounding) {
+    return convex_moments(rounded_around(core, rounding)).volume;
+}
+
+template <class... Values>
+std::string line(const char* pattern, Values... values) {
+    std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, pattern, values...)), ' ');
+    std::snprintf(text.data(), text.size() + 1, pattern, values...);
+    return text;
+}
+
+void finish(CookedConvex& cooked, ConvexSolid solid, std::string name, Certificate hull) {
+    const double d_eq = solid.shape.equivalent_diameter;
+    const double loss = solid.rounding_loss;
+    DisplayMesh display = convex_display_mesh(solid.shape, display_tolerance * d_eq);
+    cooked.shape = convex_template(std::move(solid), std::move(name));
+    const double rounding = std::get<ConvexShape>(cooked.shape.shape).rounding;
+    cooked.shape.certificate = {{"rounding", rounding / d_eq}, {"rounding_loss", loss}};
+    for (auto& entry : hull) cooked.shape.certificate.push_back(std::move(entry));
+    cooked.shape.certificate.emplace_back("display_mesh_error_max", display.max_deviation / d_eq);
+    cooked.shape.display_mesh = std::move(display);
+    if (loss > 0.0)
+        cooked.lines.push_back(
+            line("rounded with a radius of %.4g mm, which takes %.2g %% of the "
+                 "volume",
+                 1e3 * rounding, 1e2 * loss));
+}
+
+CookedConvex cook_file(const std::filesystem::path& path, const ConvexRequest& request) {
+    ConvexFile file = is_convex_file(path) ? read_convex(path.string(), request.rounding)
+                                           : read_convex_profile(path.string(), request.rounding);
+    CookedConvex cooked;
+    cooked.hash = file.hash;
+    cooked.lines = std::move(file.lines);
+    finish(cooked, std::move(file.solid), file.name, {});
+    cooked.shape.input_unit = file.unit;
+    return cooked;
+}
+
+CookedConvex cook_mesh(const std::filesystem::path& path, const ConvexRequest& request,
+                       const MeshLoadOptions& options) {
+    LoadedMesh loaded = load_mesh(path, options);
+    CookedConvex cooked;
+    StateHash hash;
+    hash.add_bytes(MemoryMap(path).bytes());
+    cooked.hash = hash.value();
+    cooked.lines = std::move(loaded.lines);
+
+    ConvexPolyhedron hull = convex_hull(loaded.mesh.vertices);
+    // About its center: no differences of large moments.
+    const Vec3 center = sharp_solid(hull).mass_properties.center_of_mass;
+    for (Vec3& v : hull.vertices) v -= center;
+    const ConvexSolid sharp = sharp_solid(hull);
+    const double volume = sharp.mass_properties.volume;
+    const double rounding =
+        request.rounding ? request.rounding->radius(volume) : default_rounding(sharp.shape, volume);
+    const ConvexPolyhedron core = eroded(hull, rounding);
+    const double rounded_volume = volume_of(core, rounding);
+    const FewerVertices fewer =
+        with_fewer_vertices(core, request.vertices.value_or(core.vertices.size()));
+
+    ConvexSolid solid = with_mass_properties(rounded_around(fewer.solid, rounding));
+    solid.rounding_loss = 1.0 - rounded_volume / volume;
+    solid.mass_properties.center_of_mass += center;
+    const double d_eq = solid.shape.equivalent_diameter;
+    const double excess = volume / enclosed_volume(loaded.mesh) - 1.0;
+    const double loss = 1.0 - solid.mass_properties.volume / rounded_volume;
+    cooked.lines.push_back(
+        line("hull of %zu vertices and %zu faces, which adds %.3g %% to the "
+             "volume of the mesh",
+             hull.vertices.size(), hull.faces.size(), 1e2 * excess));
+    if (fewer.solid.vertices.size() < core.vertices.size())
+        cooked.lines.push_back(
+            line("core of %zu of %zu vertices: at most %.3g %% of d_eq inside "
+                 "the full one, %.3g %% less volume",
+                 fewer.solid.vertices.size(), core.vertices.size(), 1e2 * fewer.error_max / d_eq,
+                 1e2 * loss));
+    finish(
+        cooked, std::move(solid), path.stem().string(),
+        {{"hull_excess", excess}, {"hull_error_max", fewer.error_max / d_eq}, {"hull_loss", loss}});
+    cooked.shape.input_unit = loaded.unit;
+    return cooked;
+}
+
+}  // namespace
+
+bool is_convex_file(const std::filesystem::path& path) {
+    return path.extension() == ".convex";
+}
+
+ParticleTemplate convex_template(ConvexSolid solid, std::string name) {
+    ParticleTemplate shape;
+    shape.name = std::move(name);
+    shape.mass_properties = solid.mass_properties;
+    shape.bounding_radius = solid.shape.bounding_radius;
+    shape.mean_squared_surface_distance = solid.mean_squared_surface_distance;
+    shape.is_convex = true;
+    shape.shape = std::move(solid.shape);
+    return shape;
+}
+
+CookedConvex cook_convex(const std::filesystem::path& path, const ConvexRequest& request,
+                         const MeshLoadOptions& mesh) {
+    if (!is_mesh_file(path)) return cook_file(path, request);
+    try {
+        return cook_mesh(path, request, mesh);
+    } catch (const Error& problem) {
+        const std::string words = problem.what();
+        if (words.starts_with(path.string())) throw;
+        throw Error(path.string(), words);
+    }
+}
+
+}  // namespace dem
