@@ -23,7 +23,9 @@ void check_section_names(const CaseFile& file) {
         std::vector<std::string> words;
         std::string forms;
         for (const SectionKind& kind : section_kinds()) {
-            words.emplace_back(first_word(kind.pattern));
+            if (words.empty() || words.back() != first_word(kind.pattern)) {
+                words.emplace_back(first_word(kind.pattern));
+            }
             if (first_word(kind.pattern) == first_word(section.name)) {
                 forms += (forms.empty() ? "[" : " or [") + std::string(kind.pattern) + "]";
             }

@@ -2,6 +2,7 @@
 #include "runtime/measure/fill_height.hpp"
 
 #include "runtime/contact/touch.hpp"
+#include "runtime/measure/height_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,38 +11,6 @@
 namespace dem {
 
 namespace {
-
-// Cells of nearly equal area about an axis: ring k holds 6k + 3 of them (the inner one 3).
-class PolarGrid {
-  public:
-    PolarGrid(double radius, double cell)
-        : rings_(static_cast<std::size_t>(std::max(1.0, std::round(radius / cell)))),
-          width_(radius / static_cast<double>(rings_)),
-          highest_(3 * rings_ * rings_, 0.0) {}
-
-    void add(double x, double y, double height) {
-        const auto ring = static_cast<std::size_t>(std::hypot(x, y) / width_);
-        if (ring >= rings_) return;
-        const double turn = std::atan2(y, x) / (2.0 * pi) + 0.5;
-        const std::size_t cells = 6 * ring + 3;
-        const auto cell =
-            std::min(cells - 1, static_cast<std::size_t>(turn * static_cast<double>(cells)));
-        double& highest = highest_[3 * ring * ring + cell];
-        highest = std::max(highest, height);
-    }
-
-    // Ring k covers pi width^2 (2k + 1) with 3 (2k + 1) cells: all cells have the same area.
-    double mean() const {
-        double sum = 0.0;
-        for (const double height : highest_) sum += height;
-        return sum / static_cast<double>(highest_.size());
-    }
-
-  private:
-    std::size_t rings_;
-    double width_;
-    std::vector<double> highest_;
-};
 
 Vessel vessel_or_extent(const Particles& particles, const Scene& scene) {
     if (const auto vessel = find_vessel(scene)) return *vessel;
@@ -63,26 +32,38 @@ double mean_diameter(const Particles& particles, const Scene& scene) {
     return sum / static_cast<double>(particles.size());
 }
 
+// Fine against one particle; a bed thousands of diameters wide does with coarser.
+double spacing_of_lines(double diameter, double radius) {
+    return std::max(0.05 * diameter, 1e-3 * radius);
+}
+
 double surface_height(const Particles& particles, const Scene& scene, const Vessel& vessel) {
     const Vec3 east = vessel.up.unitOrthogonal();
     const Vec3 north = vessel.up.cross(east);
-    const double cell = mean_diameter(particles, scene);
-    PolarGrid grid(std::max(vessel.radius, 0.5 * cell), cell);
-    const auto add = [&](const Vec3& x) {
+    const double diameter = mean_diameter(particles, scene);
+    const double radius = std::max(vessel.radius, 0.5 * diameter);
+    HeightMap map(radius, spacing_of_lines(diameter, radius));
+    const auto from_above = [&](const Vec3& x) -> Vec3 {
         const Vec3 d = x - vessel.center;
-        grid.add(d.dot(east), d.dot(north), x.dot(vessel.up) - vessel.floor);
+        return {d.dot(east), d.dot(north), x.dot(vessel.up) - vessel.floor};
     };
+    std::vector<Vec3> vertices;
     for (std::uint32_t i = 0; i < particles.size(); ++i) {
         const ParticleTemplate& shape = scene.shapes[scene.kinds[particles.kind[i]].shape];
         const Vec3& x = particles.position[i];
-        for (const Vec3& vertex : shape.display_mesh.vertices) {
-            add(x + particles.orientation[i] * vertex);
-        }
         if (const auto* sphere = std::get_if<Sphere>(&shape.shape)) {
-            add(x + sphere->radius * vessel.up);
+            map.add_sphere(from_above(x), sphere->radius);
+            continue;
+        }
+        vertices.clear();
+        for (const Vec3& vertex : shape.display_mesh.vertices) {
+            vertices.push_back(from_above(x + particles.orientation[i] * vertex));
+        }
+        for (const auto& [a, b, c] : shape.display_mesh.triangles) {
+            map.add_triangle(vertices[a], vertices[b], vertices[c]);
         }
     }
-    return grid.mean();
+    return map.volume() / (vessel.shape == Vessel::Shape::box ? vessel.cross_section : map.area());
 }
 
 }  // namespace

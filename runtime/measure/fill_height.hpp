@@ -11,11 +11,12 @@ namespace dem {
 struct FillHeight {
     double highest = 0.0;  ///< the highest point of any particle: what experiments report
     double top_ten = 0.0;  ///< mean of the tops of the ten highest particles
-    double surface = 0.0;  ///< area-weighted mean over a polar grid of the highest point per cell
+    double surface = 0.0;  ///< mean height of the surface that is seen from above
 };
 
-/// All zero without particles. The polar grid has rings about one mean particle diameter wide, of
-/// cells about as long as wide; cells that no particle covers count as height 0.
+/// All zero without particles. The surface is met by vertical lines a twentieth of the mean
+/// particle diameter apart (1/1000 of a bed's radius if that is more); lines that meet no particle count as
+/// height 0. Bodies are taken as their display meshes, spheres exactly.
 FillHeight fill_height(const Particles& particles, const Scene& scene);
 
 }  // namespace dem

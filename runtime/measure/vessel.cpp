@@ -32,7 +32,8 @@ std::optional<Vessel> upright_cylinder(const Scene& scene, const Vec3& up) {
         const auto* cylinder = std::get_if<CylinderWall>(&wall.shape);
         if (cylinder == nullptr || !cylinder->inside) continue;
         if (std::abs(axis_of(wall).dot(up)) < upright) continue;
-        Vessel vessel{up, wall.position, 0.0, cylinder->radius, pi * square(cylinder->radius)};
+        Vessel vessel{Vessel::Shape::cylinder,      up, wall.position, 0.0, cylinder->radius,
+                      pi * square(cylinder->radius)};
         const double end = wall.position.dot(up);
         const double other = end + cylinder->length * axis_of(wall).dot(up);
         vessel.floor = floor_height(scene, up).value_or(std::min(end, other));
@@ -69,7 +70,8 @@ std::optional<Vessel> upright_box(const Scene& scene, const Vec3& up) {
     if (std::isinf(width) || std::isinf(depth)) return std::nullopt;
     const Vec3 center =
         0.5 * (low.x() + high.x()) * side + 0.5 * (low.y() + high.y()) * other + *floor * up;
-    return Vessel{up, center, *floor, 0.5 * std::hypot(width, depth), width * depth};
+    const double radius = 0.5 * std::hypot(width, depth);
+    return Vessel{Vessel::Shape::box, up, center, *floor, radius, width * depth};
 }
 
 }  // namespace

@@ -3,12 +3,16 @@
 
 #include "runtime/scene.hpp"
 
+#include <cstdint>
 #include <optional>
 
 namespace dem {
 
 /// The container that the walls of a scene form: an upright cylinder or box on a floor, at time 0.
 struct Vessel {
+    enum class Shape : std::uint8_t { cylinder, box };
+
+    Shape shape = Shape::cylinder;
     Vec3 up = Vec3::UnitZ();     ///< unit, against gravity; z without gravity
     Vec3 center = Vec3::Zero();  ///< a point of its axis
     double floor = 0.0;          ///< height of the floor along `up` from the world's origin [m]
