@@ -5,12 +5,12 @@
 #include "runtime/output/picture.hpp"
 
 #include "common/math/aabb.hpp"
+#include "runtime/output/wall_lines.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace dem {
 
@@ -47,49 +47,6 @@ struct Camera {
         return {c.x() * scale, static_cast<double>(height) - c.y() * scale, c.z()};
     }
 };
-
-using Segments = std::vector<std::pair<Vec3, Vec3>>;
-
-void add_circle(Segments& lines, const WallState& state, double radius, double z) {
-    constexpr int sides = 96;
-    const auto point = [&](int k) -> Vec3 {
-        const double phi = 2.0 * pi * k / sides;
-        return state.position +
-               state.body.orientation * Vec3(radius * std::cos(phi), radius * std::sin(phi), z);
-    };
-    for (int k = 0; k < sides; ++k) lines.emplace_back(point(k), point(k + 1));
-}
-
-void add_wall(Segments& lines, const PlaneWall& wall, const WallState& state, const Aabb&) {
-    if (std::isfinite(wall.radius)) add_circle(lines, state, wall.radius, 0.0);
-}
-
-void add_wall(Segments& lines, const CylinderWall& wall, const WallState& state, const Aabb& box) {
-    const Vec3 axis = state.body.orientation * Vec3::UnitZ();
-    double from = 0.0;
-    double to = wall.length;
-    if (!std::isfinite(to)) {
-        std::tie(from, to) = std::minmax((box.lower - state.position).dot(axis),
-                                         (box.upper - state.position).dot(axis));
-    }
-    add_circle(lines, state, wall.radius, from);
-    add_circle(lines, state, wall.radius, to);
-    for (int k = 0; k < 4; ++k) {
-        const double phi = 0.5 * pi * k;
-        const Vec3 side(wall.radius * std::cos(phi), wall.radius * std::sin(phi), 0.0);
-        lines.emplace_back(state.position + state.body.orientation * (side + from * Vec3::UnitZ()),
-                           state.position + state.body.orientation * (side + to * Vec3::UnitZ()));
-    }
-}
-
-Segments wall_lines(std::span<const Wall> walls, double time, const Aabb& box) {
-    Segments lines;
-    for (const Wall& wall : walls) {
-        const WallState state = wall_state(wall, time);
-        std::visit([&](const auto& shape) { add_wall(lines, shape, state, box); }, wall.shape);
-    }
-    return lines;
-}
 
 Aabb bounds(std::span<const PictureBody> bodies) {
     Aabb box;

@@ -20,10 +20,11 @@ def arguments():
     return parser.parse_args()
 
 
-def pack(name, template, options, variant="", settings=()):
-    """Runs data/cases/NAME.ini once per seed, one core each, with `settings` (section.key=value) in place of its own."""
+def pack(name, template, options, variant="", settings=(), kind=None):
+    """Runs data/cases/NAME.ini once per seed, one core each, with `settings` (section.key=value) in place of its own;
+    `kind` is the section of the particles, where its name is not the template's."""
     text = (ROOT / f"data/cases/{name}.ini").read_text()
-    sets = [f"particles.{template.stem}.template={template}", *settings]
+    sets = [f"particles.{kind or template.stem}.template={template}", *settings]
 
     def one(seed):
         return Run(f"{name}{variant}_{seed}", text, "--threads", "1",

@@ -3,6 +3,7 @@
 import csv
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 
@@ -34,6 +35,14 @@ def cook(profile, *options):
         name = profile + "".join(o.replace("-", "_").replace("%", "") for o in options)
     template = WORK / f"{name}.tpl"
     subprocess.run([BIN / "shapegen", source, "-o", template, "--quiet", *options], check=True)
+    return template
+
+
+def cook_mesh(mesh, *options):
+    """Cooks a mesh file and returns the template's path."""
+    WORK.mkdir(parents=True, exist_ok=True)
+    template = WORK / f"{mesh.stem}{''.join(o.replace('-', '_').replace('%', '') for o in options)}.tpl"
+    subprocess.run([BIN / "shapegen", mesh, "-o", template, "--quiet", *options], check=True)
     return template
 
 
@@ -123,6 +132,12 @@ class Page:
         file = f"{self.name}{suffix}.svg"
         figure.savefig(PAGES / file, metadata={"Date": None})
         plt.close(figure)
+        self.lines += [f"![{caption}]({file})", "", f"*{caption}*", ""]
+
+    def picture(self, source, caption):
+        """A PNG that a program drew."""
+        file = f"{self.name}_{source.stem}.png"
+        shutil.copyfile(source, PAGES / file)
         self.lines += [f"![{caption}]({file})", "", f"*{caption}*", ""]
 
     def claim(self, statement, holds):

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/output/picture.hpp"
 
+#include "runtime/output/wall_lines.hpp"
+
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -73,6 +75,36 @@ TEST(Picture, TheNearerBodyHidesTheOther) {
     const std::vector<PictureBody> both{{&mesh, Vec3(5e-3, 0, 0), Quat::Identity(), 1},
                                         {&mesh, Vec3(0, 0, 0), Quat::Identity(), 2}};
     EXPECT_EQ(render_picture(front, {}, 0.0, view).rgb, render_picture(both, {}, 0.0, view).rgb);
+}
+
+Wall plane_at(const Vec3& point, const Vec3& normal) {
+    Wall wall;
+    wall.shape = PlaneWall{};
+    wall.position = point;
+    wall.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), normal);
+    return wall;
+}
+
+// A box of planes 2 x 4 wide, open at the top, around bodies that touch none of them: a floor of
+// 2 x 4 and four sides as high as the bodies reach; a plane far away is not drawn.
+TEST(WallLines, OfABoxAreItsEdges) {
+    std::vector<Wall> walls{
+        plane_at(Vec3::Zero(), Vec3::UnitZ()),     plane_at({-1.0, 0.0, 0.0}, Vec3::UnitX()),
+        plane_at({1.0, 0.0, 0.0}, -Vec3::UnitX()), plane_at({0.0, -2.0, 0.0}, Vec3::UnitY()),
+        plane_at({0.0, 2.0, 0.0}, -Vec3::UnitY()), plane_at({0.0, 50.0, 0.0}, -Vec3::UnitY())};
+    Aabb bodies;
+    bodies.extend(Vec3(-0.7, -1.5, 0.2));
+    bodies.extend(Vec3(0.8, 1.5, 3.0));
+    double length = 0.0;
+    for (const auto& [from, to] : wall_lines(walls, 0.0, bodies)) {
+        for (const Vec3& x : {from, to}) {
+            EXPECT_NEAR(std::abs(x.x()), 1.0, 1e-12);
+            EXPECT_NEAR(std::abs(x.y()), 2.0, 1e-12);
+            EXPECT_NEAR(std::abs(x.z() - 1.5), 1.5, 1e-12);
+        }
+        length += (to - from).norm();
+    }
+    EXPECT_NEAR(length, 2.0 * (2.0 + 4.0) + 4.0 * (2.0 + 3.0) + 4.0 * (4.0 + 3.0), 1e-9);
 }
 
 TEST(Picture, APngHoldsItsSizeAndEndsWithItsTrailer) {
