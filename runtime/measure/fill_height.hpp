@@ -15,8 +15,8 @@ struct FillHeight {
 };
 
 /// All zero without particles. The surface is met by vertical lines a twentieth of the mean
-/// particle diameter apart (1/1000 of a bed's radius if that is more); lines that meet no particle count as
-/// height 0. Bodies are taken as their display meshes, spheres exactly.
+/// particle diameter apart (1/1000 of a bed's radius if that is more); lines that meet no particle
+/// count as height 0. Bodies are taken as their display meshes, spheres exactly.
 FillHeight fill_height(const Particles& particles, const Scene& scene);
 
 }  // namespace dem
