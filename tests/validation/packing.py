@@ -10,18 +10,20 @@ from validation import ROOT, Page, Run, plt
 
 MEASURES = {"highest point": "height_highest", "mean of the ten highest": "height_top_ten",
             "mean surface seen from above": "height_surface"}
+AUTO = ("run.time_step=auto",)
 
 
 def arguments():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--seeds", type=int, default=3)
+    parser.add_argument("--seeds", type=int, default=3, help="runs with the automatic time step, minutes each")
+    parser.add_argument("--paper-seeds", type=int, default=2, help="runs with the paper's time step, up to an hour each")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--reuse", action="store_true", help="take runs that are finished as they are")
     return parser.parse_args()
 
 
-def pack(name, template, options, variant="", settings=(), kind=None):
-    """Runs data/cases/NAME.ini once per seed, one core each, with `settings` (section.key=value) in place of its own;
+def pack(name, template, options, seeds, variant="", settings=(), kind=None):
+    """Runs data/cases/NAME.ini with seeds 1 to `seeds`, one core each, with `settings` (section.key=value) in place of its own;
     `kind` is the section of the particles, where its name is not the template's."""
     text = (ROOT / f"data/cases/{name}.ini").read_text()
     sets = [f"particles.{kind or template.stem}.template={template}", *settings]
@@ -31,7 +33,7 @@ def pack(name, template, options, variant="", settings=(), kind=None):
                    *(word for s in [f"run.seed={seed}", *sets] for word in ("--set", s)), reuse=options.reuse)
 
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        return list(pool.map(one, range(1, options.seeds + 1)))
+        return list(pool.map(one, range(1, seeds + 1)))
 
 
 def heights(runs):
@@ -39,19 +41,31 @@ def heights(runs):
     return np.array([[1e3 * run.history[column][-1] for column in MEASURES.values()] for run in runs])
 
 
-def report(page: Page, runs, experiment, tolerance, total):
-    """Table and plot of the fill heights beside the experiment (mm)."""
+def spread(runs):
+    """Mean and standard deviation of every measure over the runs, as cells of a table."""
     table = heights(runs)
-    rows = [[k + 1, *(f"{h:.2f}" for h in table[k]), f"{run.summary['time']:.2f}", run.summary["end"].replace("_", " "),
-             f"{run.history['largest_relative_overlap'].max():.4f}"] for k, run in enumerate(runs)]
-    rows.append(["mean", *(f"{h:.2f}" for h in table.mean(axis=0)), "", "", ""])
-    page.table(["seed", *(f"{m} [mm]" for m in MEASURES), "simulated [s]", "ended by", "largest overlap / radius"], rows)
-    placed = min(len(run.final["x"]) for run in runs)
-    page.claim(f"all {total} particles inside ({placed})", placed == total)
+    deviation = table.std(axis=0, ddof=1) if len(runs) > 1 else np.zeros(len(MEASURES))
+    return [f"{m:.2f} +- {s:.2f}" for m, s in zip(table.mean(axis=0), deviation)]
+
+
+def report(page: Page, runs, experiment, tolerance, total):
+    """Table and plot of the fill heights (mm) beside the experiment. `runs`: a list of runs per name of their time step."""
+    rows = []
+    for label, group in runs.items():
+        for k, (run, row) in enumerate(zip(group, heights(group))):
+            rows.append([label, k + 1, *(f"{h:.2f}" for h in row), f"{run.summary['time']:.2f}",
+                         run.summary["end"].replace("_", " "), f"{run.history['largest_relative_overlap'].max():.4f}"])
+        if len(group) > 1:
+            rows.append([label, "mean", *spread(group), "", "", ""])
+    page.table(["time step", "seed", *(f"{m} [mm]" for m in MEASURES), "simulated [s]", "ended by", "largest overlap / radius"], rows)
+    everything = [run for group in runs.values() for run in group]
+    placed = min(len(run.final["x"]) for run in everything)
+    page.claim(f"all {total} particles inside, in each of {len(everything)} runs ({placed})", placed == total)
     figure, axes = plt.subplots()
     axes.axhspan(experiment - tolerance, experiment + tolerance, color="0.85", label="experiment")
-    for k, run in enumerate(runs):
-        axes.plot(run.history["time"], 1e3 * run.history["height_highest"], lw=1, label=f"seed {k + 1}")
+    for label, group in runs.items():
+        for k, run in enumerate(group):
+            axes.plot(run.history["time"], 1e3 * run.history["height_highest"], lw=1, label=f"{label}, seed {k + 1}")
     axes.set(xlabel="time [s]", ylabel="highest point [mm]")
     axes.legend()
     page.plot(figure, "", "Highest point while the vessel is filled")
