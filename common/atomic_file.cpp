@@ -31,8 +31,14 @@ std::filesystem::path temporary_name(const std::filesystem::path& path) {
 
 PendingFile::PendingFile(std::filesystem::path final_path)
     : final_(std::move(final_path)), temporary_(temporary_name(final_)) {
-    if (std::error_code ignored; std::filesystem::is_directory(final_, ignored)) {
+    std::error_code ignored;
+    const auto there = std::filesystem::status(final_, ignored);
+    if (std::filesystem::is_directory(there)) {
         throw Error(final_.string(), "is a directory, expected the name of a file to write");
+    }
+    // Renaming over it would put a file in the place of the device.
+    if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
+        throw Error(final_.string(), "is a device or pipe, expected the name of a file to write");
     }
 }
 

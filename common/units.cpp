@@ -103,6 +103,10 @@ std::vector<std::string> units_of(Dimension dimension) {
     return names;
 }
 
+std::string with_article(const std::string& noun) {
+    return (noun.starts_with('a') ? "an " : "a ") + noun;
+}
+
 /// "length (m, mm, um, cm or in)"
 std::string expectation(Dimension dimension) {
     const std::vector<std::string> names = units_of(dimension);
@@ -163,13 +167,13 @@ double unit_factor(std::string_view unit, Dimension dimension) {
     }
     const std::string quoted = "'" + std::string(unit) + "'";
     if (other != nullptr) {
-        throw Error("unit " + quoted + " is of a " + dimension_name(other->dimension) +
-                    ", expected a " + expectation(dimension));
+        throw Error("unit " + quoted + " is of " + with_article(dimension_name(other->dimension)) +
+                    ", expected " + with_article(expectation(dimension)));
     }
     const std::string guess = nearest_word(unit, units_of(dimension));
     throw Error("unknown unit " + quoted +
-                (guess.empty() ? "" : ", did you mean '" + guess + "'?") + ", expected a " +
-                expectation(dimension));
+                (guess.empty() ? "" : ", did you mean '" + guess + "'?") + ", expected " +
+                with_article(expectation(dimension)));
 }
 
 double parse_quantity(std::string_view text, Dimension dimension) {
@@ -184,8 +188,8 @@ double parse_quantity(std::string_view text, Dimension dimension) {
         throw Error(found + " is outside the range of double precision");
     }
     if (error != std::errc()) {
-        throw Error((whole.empty() ? std::string("nothing") : found) + " found, expected a " +
-                    expectation(dimension));
+        throw Error((whole.empty() ? std::string("nothing") : found) + " found, expected " +
+                    with_article(expectation(dimension)));
     }
     const std::string_view unit = trimmed(rest.substr(static_cast<std::size_t>(end - rest.data())));
     if (!std::isfinite(value)) throw Error(found + " found, expected a finite number");

@@ -157,7 +157,14 @@ FrameWriter::FrameWriter(const std::filesystem::path& directory, const FrameCont
     if (frames == 0 || !std::filesystem::exists(path_)) {
         begin(context, shapes);
     } else {
-        take_up();
+        try {
+            take_up();
+        } catch (const Error& error) {
+            // A process that is killed while a frame is added leaves tables that do not fit.
+            throw Error(std::string(error.what()) +
+                        ", expected the frames before the checkpoint; move the file away and "
+                        "--resume begins a new one");
+        }
     }
     if (context.surfaces) surfaces_ = std::make_unique<SurfaceWriter>(directory, shapes, frames);
 }
@@ -204,9 +211,7 @@ void FrameWriter::take_up() {
         }
     }
     if (last != frame_name(count_ - 1) && !last.empty()) {
-        throw Error(path_.string(), "ends with frame " + last + ", expected the " +
-                                        std::to_string(count_) +
-                                        " frames written before the checkpoint");
+        throw Error(path_.string(), "ends with frame " + last + " of " + std::to_string(count_));
     }
     Hdf5File file(path_, Hdf5File::Mode::extend, 0);
     for (const std::string& name : later) file.erase(name);

@@ -40,7 +40,7 @@ ProfileText parse_profile_text(std::string_view text, const std::string& path);
 
 /// More points than any drawing or measured outline has; a longer table is a mistake that would
 /// only cost time and memory.
-inline constexpr std::size_t most_profile_lines = 1'000'000;
+inline constexpr std::size_t most_profile_lines = 100'000;
 
 /// Segments of a profile as written, each with its place in the file.
 struct ProfileDraft {

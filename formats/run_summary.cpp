@@ -10,17 +10,25 @@
 
 namespace dem {
 
+namespace {
+
+// A 64-bit number would lose its last digits in readers that know doubles only.
+std::string hexadecimal(std::uint64_t hash) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016" PRIx64, hash);
+    return text;
+}
+
+}  // namespace
+
 void write_summary(const std::filesystem::path& path, const RunSummary& summary) {
     using Json = nlohmann::ordered_json;
-    // A 64-bit number would lose its last digits in readers that know doubles only.
-    char hash[17];
-    std::snprintf(hash, sizeof hash, "%016" PRIx64, summary.state_hash);
     Json measures = Json::object();
     for (const auto& [name, value] : summary.measures) measures[name] = value;
     Json missing = Json::object();
     for (const auto& [group, count] : summary.missing) missing[group] = count;
     Json inputs = Json::object();
-    for (const auto& [name, input_hash] : summary.inputs) inputs[name] = input_hash;
+    for (const auto& [name, input_hash] : summary.inputs) inputs[name] = hexadecimal(input_hash);
     const Json json = {{"case", summary.case_path},
                        {"end", summary.end},
                        {"steps", summary.steps},
@@ -32,7 +40,7 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
                        {"microseconds_per_particle_step", summary.microseconds_per_particle_step},
                        {"threads", summary.threads},
                        {"seed", summary.seed},
-                       {"state_hash", hash},
+                       {"state_hash", hexadecimal(summary.state_hash)},
                        {"measures", measures},
                        {"inputs", inputs},
                        {"versions", {{"shapedem", DEM_VERSION}, {"compiler", __VERSION__}}}};

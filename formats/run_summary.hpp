@@ -23,8 +23,8 @@ struct RunSummary {
     int threads = 1;
     std::uint64_t seed = 0;
     std::uint64_t state_hash = 0;  ///< of the final state, written as 16 hex digits
-    std::vector<std::pair<std::string, double>> measures;     ///< final values, by name
-    std::vector<std::pair<std::string, std::string>> inputs;  ///< template file, hash of its input
+    std::vector<std::pair<std::string, double>> measures;       ///< final values, by name
+    std::vector<std::pair<std::string, std::uint64_t>> inputs;  ///< template, hash of its input
 };
 
 /// Writes summary.json, whole or not at all. A value that is not finite becomes null.

@@ -53,7 +53,7 @@ po::options_description options() {
         "folder for the results (default: the case's name)");
     add("threads", po::value<int>()->value_name("N"), "0: every core; never changes a result");
     add("set", po::value<std::vector<std::string>>()->value_name("SECTION.KEY=VALUE"),
-        "set a value over the case file; may be repeated");
+        "set a value over the case file; may be repeated, the last one counts");
     add("resume", "go on from the checkpoint in the folder of the results");
     add("check", "read and check everything, describe the scene, run nothing");
     add("keys", "list everything a case file may say (Markdown)");
@@ -90,6 +90,9 @@ CommandLine command_line(const po::variables_map& values) {
     if (values.count("case") == 0) throw dem::UsageError("no case file given, expected case.ini");
     line.case_path = values["case"].as<std::string>();
     if (values.count("out") != 0) line.directory = values["out"].as<std::string>();
+    if (values.count("out") != 0 && line.directory->empty()) {
+        throw dem::UsageError("--out: nothing found, expected a folder");
+    }
     if (values.count("threads") != 0) line.threads = values["threads"].as<int>();
     if (line.threads && (*line.threads < 0 || *line.threads > 4096)) {
         throw dem::UsageError("--threads " + std::to_string(*line.threads) +

@@ -134,6 +134,8 @@ struct Scene {
     std::vector<InsertionGroup> insertions;
     OutputSettings output;
     std::vector<MeasureSettings> measures;
+    /// Template files as the case names them, hash of what each was made from.
+    std::vector<std::pair<std::string, std::uint64_t>> inputs;
 };
 
 }  // namespace dem

@@ -41,6 +41,48 @@ struct UsedMaterials {
     std::set<std::uint32_t> bodies, walls;
 };
 
+// Springs k_t along the surface of a sphere act on m/(1 + 5/2): k_t = 2/7 k_n swings as k_n does, a
+// stiffer one faster.
+double tangential_factor(const Scene& scene, const BodyKind& kind, const UsedMaterials& used) {
+    double stiffest = 2.0 / 7.0;
+    for (const auto* partners : {&used.bodies, &used.walls}) {
+        for (const std::uint32_t other : *partners) {
+            const ContactLaw& law = scene.laws.at(kind.material, other);
+            if (law.tangential != ContactLaw::Tangential::ratio) continue;
+            stiffest = std::max(stiffest, law.stiffness_ratio);
+        }
+    }
+    return 1.0 / std::sqrt(3.5 * stiffest);
+}
+
+// Of surface points of bodies that spin at the start [m/s].
+double largest_rim_speed(const Scene& scene) {
+    double spin = 0.0;
+    for (const InsertionGroup& group : scene.insertions) {
+        spin = std::max(spin, group.angular_velocity.norm());
+        for (const BodyPlacement& body : group.placements) {
+            spin = std::max(spin, body.angular_velocity.norm());
+        }
+    }
+    double radius = 0.0;
+    for (const BodyKind& kind : scene.kinds) {
+        radius = std::max(radius, scene.shapes[kind.shape].bounding_radius);
+    }
+    return spin * radius;
+}
+
+double motion_time(const Scene& scene, double speed) {
+    double time = infinite;
+    for (const BodyKind& kind : scene.kinds) {
+        if (speed > 0.0) time = std::min(time, equivalent_radius(scene, kind) / speed);
+    }
+    for (const Wall& wall : scene.walls) {
+        if (wall.motion.kind != WallMotion::Kind::oscillate) continue;
+        time = std::min(time, 0.5 / wall.motion.frequency);
+    }
+    return time;
+}
+
 // The shortest contact of a body: with its like of any material, m/2 and R/2, or with a wall. A
 // larger partner only lengthens it.
 double shortest_contact(const Scene& scene, const BodyKind& kind, const UsedMaterials& used,
@@ -96,7 +138,8 @@ std::uint64_t step_count(const RunSettings& run, double dt, const std::string& w
 }
 
 TimeStep time_step(const Scene& scene) {
-    TimeStep step{infinite, infinite, infinite, largest_expected_speed(scene), infinite, 0.0};
+    const double speed = largest_expected_speed(scene) + largest_rim_speed(scene);
+    TimeStep step{infinite, infinite, infinite, motion_time(scene, speed), speed, infinite, 0.0};
     UsedMaterials used;
     for (const BodyKind& kind : scene.kinds) used.bodies.insert(kind.material);
     for (const Wall& wall : scene.walls) used.walls.insert(wall.material);
@@ -105,15 +148,18 @@ TimeStep time_step(const Scene& scene) {
         const LinearContacts linear = linear_contacts(scene, kind, used);
         step.linear = std::min(step.linear, 0.4 * linear.shortest);
         if (!linear.has_other) continue;
+        const double factor = tangential_factor(scene, kind, used);
         const double radius = equivalent_radius(scene, kind);
-        step.rayleigh =
-            std::min(step.rayleigh, rayleigh_time(scene.materials[kind.material], radius));
-        if (step.largest_speed > 0.0) {
-            step.hertz =
-                std::min(step.hertz, shortest_contact(scene, kind, used, step.largest_speed));
+        const double rayleigh = rayleigh_time(scene.materials[kind.material], radius);
+        step.rayleigh = std::min(step.rayleigh, factor * rayleigh);
+        if (speed > 0.0) {
+            const double shortest = shortest_contact(scene, kind, used, speed);
+            step.hertz = std::min(step.hertz, factor * shortest);
         }
     }
     step.critical = std::min({step.rayleigh, step.hertz, step.linear});
+    const bool has_contact = !std::isinf(step.critical);
+    if (has_contact) step.critical = std::min(step.critical, step.motion);
     if (scene.run.time_step) {
         step.value = *scene.run.time_step;
         if (step.value > step.critical && !scene.run.time_step_force) {
@@ -124,7 +170,7 @@ TimeStep time_step(const Scene& scene) {
         }
         return step;
     }
-    if (std::isinf(step.critical)) {
+    if (!has_contact) {
         throw Error(scene.case_path,
                     "time_step = auto needs a body that can move; give a time step");
     }

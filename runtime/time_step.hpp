@@ -11,11 +11,14 @@ namespace dem {
 /// The critical times of a scene, [SR] Eq. 23 with the correction of docs/time-loop.md, and the
 /// time step that follows.
 struct TimeStep {
-    double rayleigh = 0.0;  ///< T_R of the smallest body [s]
-    double hertz = 0.0;     ///< T_H, the shortest contact at the largest speed [s]
+    double rayleigh = 0.0;  ///< T_R of the smallest body, less for stiff tangential springs [s]
+    double hertz = 0.0;     ///< T_H, the shortest contact at the largest speed, likewise [s]
     /// 0.4 of the shortest contact of `model = linear`, so that the usual twentieth of it is t_c/50
     /// [s]; off the centers contacts are half as long, and steps above 2/pi of them diverge.
     double linear = 0.0;
+    /// In which the fastest body or wall travels the radius of the smallest body, or a wall
+    /// oscillates half a period [s].
+    double motion = 0.0;
     double largest_speed = 0.0;  ///< that was assumed [m/s]
     double critical = 0.0;       ///< the smallest of the times [s]
     double value = 0.0;          ///< given, or critical / RunSettings::time_step_fraction [s]

@@ -12,6 +12,8 @@ namespace dem {
 
 namespace {
 
+constexpr double farthest = 1e6;  // [m]
+
 /// Rows of one group of the run that wrote the table.
 std::vector<BodyRow> rows_of_group(std::vector<BodyRow> rows, const std::string& group,
                                    const std::string& where) {
@@ -56,6 +58,12 @@ void read_body_rows(const Values& values, const std::filesystem::path& folder, c
     if (values.has("file_group")) {
         rows =
             rows_of_group(std::move(rows), values.text("file_group"), values.where("file_group"));
+    }
+    for (const BodyRow& row : rows) {
+        if (!(row.position.cwiseAbs().maxCoeff() > farthest)) continue;
+        throw Error(group.file + ":" + std::to_string(row.line),
+                    "a body further than 1e6 m from the origin, expected it nearer: so far out "
+                    "positions lose the digits that contacts need");
     }
     group.count = rows.size();
     group.placements.reserve(rows.size());

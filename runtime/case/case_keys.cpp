@@ -415,7 +415,9 @@ constexpr SectionKind kinds[] = {
      "One per group of bodies, inserted in the order of the file."},
     {"wall.NAME", wall_keys, "One per wall."},
     {"output", output_keys, "At most one."},
-    {"measure.NAME", measure_keys, "One per measure; its columns in `history.csv` bear its name."},
+    {"measure.NAME", measure_keys,
+     "One per measure; its columns in `history.csv` begin with its name (docs/time-loop.md, "
+     "\"Measures\")."},
 };
 
 }  // namespace

@@ -67,6 +67,31 @@ void check_method(const Scene& scene, const Values& values, const ContactLaw& la
     }
 }
 
+/// Whether a law looks at a key of [contact].
+bool has_meaning(std::string_view key, const ContactLaw& law) {
+    const bool is_linear = law.model == ContactLaw::Model::linear;
+    if (key == "normal_stiffness" || key == "tangential_restitution") return is_linear;
+    if (key == "tangential" || key == "damping_ratio" || key == "radius") return !is_linear;
+    if (key == "stiffness_ratio") {
+        return !is_linear && law.tangential == ContactLaw::Tangential::ratio;
+    }
+    return true;
+}
+
+/// Throws Error for a key of a section that none of the laws it is for looks at.
+void check_meaning(const CaseSection& section, const std::vector<ContactLaw>& laws) {
+    for (const CaseEntry& entry : section.entries) {
+        const auto looks = [&](const ContactLaw& law) { return has_meaning(entry.key, law); };
+        if (laws.empty() || std::any_of(laws.begin(), laws.end(), looks)) continue;
+        const bool is_linear = laws.front().model == ContactLaw::Model::linear;
+        throw Error(entry.where,
+                    "'" + entry.key + "' means nothing here, expected it with " +
+                        (entry.key == "stiffness_ratio" && !is_linear ? "tangential = ratio"
+                         : is_linear                                  ? "model = hertz"
+                                                                      : "model = linear"));
+    }
+}
+
 ContactLaw law_of(const Scene& scene, const CaseSection& section, std::uint32_t a,
                   std::uint32_t b) {
     const Values values(section, *section_kind("contact"));
@@ -135,14 +160,19 @@ void read_laws(const CaseFile& file, Scene& scene) {
     const MaterialUse use = material_use(scene);
     const auto count = static_cast<std::uint32_t>(scene.materials.size());
     scene.laws = LawTable(count);
+    std::vector<ContactLaw> all;
     for (std::uint32_t a = 0; a < count; ++a) {
         for (std::uint32_t b = a; b < count; ++b) {
             if (!use.can_meet(a, b)) continue;
             const auto pair = pairs.find({a, b});
             const CaseSection* section = pair == pairs.end() ? nullptr : pair->second;
-            scene.laws.set(a, b, law_of(scene, merged(base, section), a, b));
+            const ContactLaw law = law_of(scene, merged(base, section), a, b);
+            if (section != nullptr) check_meaning(*section, {law});
+            all.push_back(law);
+            scene.laws.set(a, b, law);
         }
     }
+    check_meaning(base, all);
 }
 
 }  // namespace dem

@@ -43,6 +43,7 @@ const ParticleGroupReader::Shapes& ParticleGroupReader::template_shapes(const Va
     } catch (const Error& error) {
         throw Error(values.where("template"), error.what());
     }
+    scene.inputs.emplace_back(values.text("template"), file.input_hash);
     for (ParticleTemplate& shape : file.shapes) {
         entry->second.push_back(static_cast<std::uint32_t>(scene.shapes.size()));
         scene.shapes.push_back(std::move(shape));
@@ -62,9 +63,9 @@ const ParticleGroupReader::Shapes& ParticleGroupReader::sphere(double radius, Sc
 ParticleGroupReader::Shapes ParticleGroupReader::shapes_of(const Values& values, Scene& scene) {
     if (values.has("radius") == values.has("template")) {
         throw Error(values.has("radius") ? values.where("radius") : values.section_where(),
-                    std::string(values.has("radius") ? "both" : "neither") +
-                        " template and radius in [" + values.section_name() +
-                        "], expected one of them");
+                    std::string(values.has("radius") ? "both template and radius"
+                                                     : "neither template nor radius") +
+                        " in [" + values.section_name() + "], expected one of them");
     }
     if (values.has("radius")) {
         if (values.has("shape")) {

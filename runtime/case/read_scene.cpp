@@ -78,7 +78,8 @@ Scene read_scene(const CaseFile& file) {
     for_each(file, "measure.NAME",
              [&](const Values& v) { scene.measures.push_back(read_measure(v, scene.output)); });
     for (const InsertionGroup& group : scene.insertions) {
-        if (group.mode != InsertionGroup::Mode::file) check_region(group, scene.walls);
+        if (group.mode != InsertionGroup::Mode::file)
+            check_region(group, scene.walls, scene.run.domain);
     }
     scene.case_lines = case_lines(file);
     return scene;

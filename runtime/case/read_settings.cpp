@@ -50,10 +50,20 @@ Material read_material(const Values& values) {
     return material;
 }
 
+// Ten million frames would be terabytes of a small bed.
+constexpr double most_samples = 1e7;
+
 OutputSettings read_output(const Values& values, const RunSettings& run) {
     OutputSettings output;
     output.frames_every = values.optional_number("frames_every").value_or(run.end_time / 100.0);
     output.history_every = values.optional_number("history_every").value_or(run.end_time / 1000.0);
+    for (const char* key : {"frames_every", "history_every"}) {
+        const double count = run.end_time / values.optional_number(key).value_or(run.end_time);
+        if (count <= most_samples) continue;
+        throw Error(values.where(key),
+                    "makes more than ten million samples until end_time, "
+                    "expected a longer interval");
+    }
     output.checkpoint_every = values.number("checkpoint_every");
     output.surfaces = values.yes_no("surfaces");
     output.picture = values.yes_no("picture");

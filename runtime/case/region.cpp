@@ -88,8 +88,13 @@ double support(const Region& region, const Vec3& n) {
            cylinder.radius * n.cross(axis).norm();
 }
 
-void check_region(const InsertionGroup& group, const std::vector<Wall>& walls) {
+void check_region(const InsertionGroup& group, const std::vector<Wall>& walls,
+                  const std::optional<Aabb>& domain) {
     const Aabb box = bounds(group.region);
+    if (domain && !(domain->contains(box.lower) && domain->contains(box.upper))) {
+        throw Error(group.where, "the region of [particles." + group.name +
+                                     "] reaches out of the domain, expected it inside");
+    }
     const double size = (box.upper - box.lower).norm() + box.upper.norm() + box.lower.norm();
     for (const Wall& wall : walls) {
         const double reach = depth(group.region, wall, group.start);

@@ -92,6 +92,15 @@ void describe(const Scene& scene, const InsertionGroup& group, std::ostringstrea
     out << "\n";
 }
 
+std::string origin(const TimeStep& step) {
+    std::ostringstream speed;
+    speed << step.largest_speed << " m/s";
+    if (step.critical == step.linear) return "0.4 of the linear law's contact";
+    if (step.critical == step.rayleigh) return "Rayleigh's";
+    if (step.critical == step.hertz) return "Hertz's at " + speed.str();
+    return "of the motion: one radius at " + speed.str() + ", half a period of a wall";
+}
+
 void describe(const TimeStep& step, const RunSettings& run, std::ostringstream& out) {
     out << "time step: " << step.value << " s, ";
     if (run.time_step) {
@@ -99,12 +108,7 @@ void describe(const TimeStep& step, const RunSettings& run, std::ostringstream& 
     } else {
         out << "1/" << run.time_step_fraction << " of ";
     }
-    out << "the critical time " << step.critical << " s ("
-        << (step.critical == step.linear ? "0.4 of the linear law's contact"
-            : step.critical == step.rayleigh
-                ? "Rayleigh's"
-                : "Hertz's at " + std::to_string(step.largest_speed) + " m/s")
-        << ")\n";
+    out << "the critical time " << step.critical << " s (" << origin(step) << ")\n";
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ std::vector<std::string> measure_columns(const Scene& scene) {
                                              "]: a solid fraction needs walls that form a vessel: "
                                              "an upright inside cylinder or box with a floor");
         }
-        columns.push_back(measure.name);
+        columns.push_back(measure.name +
+                          (measure.kind == Kind::contacts ? "_coordination" : "_solid_fraction"));
     }
     return columns;
 }

@@ -212,7 +212,7 @@ void Outputs::finish(const Simulation& simulation, const RunResult& result) {
                        .seed = scene.run.seed,
                        .state_hash = result.state_hash,
                        .measures = {},
-                       .inputs = {}};
+                       .inputs = scene.inputs};
     for (const MissingBodies& group : result.missing) {
         summary.missing.emplace_back(group.group, group.count - group.placed);
     }

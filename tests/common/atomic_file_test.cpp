@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace dem {
@@ -60,6 +61,14 @@ TEST_F(AtomicFileTest, AFailureLeavesTheOldFileAndNothingElse) {
     } catch (const Error&) {
     }
     EXPECT_EQ(content(path), "old");
+    EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFileTest, APipeOrDeviceIsNotReplacedByAFile) {
+    const fs::path pipe = folder_ / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THROW(AtomicFile{pipe}, Error);
+    EXPECT_TRUE(fs::is_fifo(pipe));
     EXPECT_EQ(files(), 1);
 }
 

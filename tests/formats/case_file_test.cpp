@@ -101,6 +101,8 @@ TEST(CaseFile, AnOverrideReplacesAddsAndSaysWhoItIs) {
     EXPECT_EQ(file.find("run")->find("seed")->value, "7");
     EXPECT_EQ(file.sections[1].find("friction")->value, "0.3");
     EXPECT_EQ(file.find("wall.floor")->find("shape")->value, "plane");
+    override_value(file, "run.seed = 8");
+    EXPECT_EQ(file.find("run")->find("seed")->value, "8") << "the last one counts";
     for (const char* bad : {"", "run", "end_time=1", "run.end_time", "run.=1", ".x=1", "run.x="}) {
         EXPECT_THROW(override_value(file, bad), Error) << bad;
     }

@@ -244,7 +244,7 @@ TEST(ProfileFileErrors, RefuseFilesThatAreNoProfiles) {
               std::string::npos);
     std::string many;
     for (std::size_t i = 0; i <= 1'000'000; ++i) many += "1 2\n";
-    expect_message(many, "x.profile: more than 1000000 lines", "");
+    expect_message(many, "x.profile: more than 100000 lines", "");
 }
 
 }  // namespace

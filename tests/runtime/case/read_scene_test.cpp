@@ -104,6 +104,22 @@ TEST(ReadScene, AFixedBodyHasNoVelocity) {
               "--set particles.balls.fixed: 'yes' found with a velocity, expected one of them");
 }
 
+TEST(ReadScene, KeysOfAnotherLawAreRefused) {
+    EXPECT_EQ(case_message(sphere_case(), "contact.normal_stiffness=1e4"),
+              "--set contact.normal_stiffness: 'normal_stiffness' means nothing here, expected it "
+              "with model = linear");
+    EXPECT_EQ(
+        case_message(sphere_case(), "contact.tangential=mindlin", "contact.stiffness_ratio=1"),
+        "--set contact.stiffness_ratio: 'stiffness_ratio' means nothing here, expected it "
+        "with tangential = ratio");
+}
+
+TEST(ReadScene, ARegionOutOfTheDomainIsRefused) {
+    EXPECT_NE(case_message(sphere_case(), "run.domain=box 0 0 0 1 1 1 mm")
+                  .find("the region of [particles.balls] reaches out of the domain"),
+              std::string::npos);
+}
+
 TEST(ReadScene, MistakesAreNamedWithTheirLine) {
     EXPECT_EQ(case_message(sphere_case("[wal.floor]\nshape = plane\n")),
               "c.ini:25: unknown section [wal.floor], did you mean 'wall'?");

@@ -209,12 +209,49 @@ TEST(TimeStep, IsAFractionOfTheRayleighTimeForSlowSpheres) {
     // [SR] Eq. 23 in units of time: twice the size, twice the Hertz time.
     scene.insertions[0].placements[0].velocity.x() = 100.0;
     const double hertz = time_step(scene).hertz;
-    EXPECT_DOUBLE_EQ(time_step(scene).critical, std::min(hertz, expected));
+    EXPECT_DOUBLE_EQ(time_step(scene).critical,
+                     std::min({hertz, expected, time_step(scene).motion}));
     Scene twice = spheres_over_a_floor({at(0.0, 0.0, radius)});
     twice.insertions[0].placements[0].velocity.x() = 100.0;
     twice.shapes[0] = scenes::sphere(2.0 * radius);
     twice.kinds[0].mass *= 8.0;
     EXPECT_NEAR(time_step(twice).hertz / hertz, 2.0, 1e-3);
+}
+
+TEST(TimeStep, NothingTravelsFurtherThanItsSize) {
+    const auto critical = [](const auto& change) {
+        Scene scene = spheres_over_a_floor({at(0.0, 0.0, radius)});
+        change(scene);
+        return time_step(scene).critical;
+    };
+    const double usual = critical([](Scene&) {});
+    const double shaken = critical([](Scene& scene) {
+        scene.walls[0].motion.kind = WallMotion::Kind::oscillate;
+        scene.walls[0].motion.amplitude = 1e-6;
+        scene.walls[0].motion.frequency = 1e5;
+    });
+    EXPECT_DOUBLE_EQ(shaken, 0.5e-5);
+    const double lifted = critical([](Scene& scene) {
+        scene.walls[0].motion.kind = WallMotion::Kind::translate;
+        scene.walls[0].motion.velocity = {0.0, 0.0, 1e6};
+    });
+    EXPECT_NEAR(lifted, radius / 1e6, 1e-3 * lifted);
+    const double spinning = critical([](Scene& scene) {
+        scene.insertions[0].placements[0].angular_velocity = {0.0, 0.0, 1e8};
+    });
+    EXPECT_NEAR(spinning, 1e-8, 1e-3 * spinning) << "one radian";
+    EXPECT_LT(lifted, usual);
+}
+
+// k_t = s k_n on m/3.5 swings sqrt(3.5 s) times as fast as k_n on m.
+TEST(TimeStep, ShrinksWithStiffTangentialSprings) {
+    Scene scene = spheres_over_a_floor({at(0.0, 0.0, radius)});
+    const double usual = time_step(scene).rayleigh;
+    ContactLaw law = scene.laws.at(0, 0);
+    law.tangential = ContactLaw::Tangential::ratio;
+    law.stiffness_ratio = 100.0;
+    scene.laws.set(0, 0, law);
+    EXPECT_NEAR(time_step(scene).rayleigh, usual / std::sqrt(350.0), 1e-12 * usual);
 }
 
 TEST(TimeStep, AboveTheCriticalOneIsRefusedUnlessForced) {
