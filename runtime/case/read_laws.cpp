@@ -4,6 +4,7 @@
 #include "runtime/contact_law/pair_law.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace dem {
@@ -92,6 +93,31 @@ void check_meaning(const CaseSection& section, const std::vector<ContactLaw>& la
     }
 }
 
+/// Half the thickness of an ellipsoid of the same second moments [m].
+double half_thickness(const MassProperties& properties) {
+    const Vec3& moments = properties.principal_moments_per_density;
+    const double smallest = 0.5 * moments.sum() - moments.maxCoeff();
+    return std::sqrt(5.0 * smallest / properties.volume);
+}
+
+// Nodes look into a field of distances, whose cells cannot be arbitrarily thin.
+void check_field(const Scene& scene, const Values& values, const ContactLaw& law, std::uint32_t a,
+                 std::uint32_t b) {
+    if (law.method != ContactLaw::Method::nodes) return;
+    for (const BodyKind& kind : scene.kinds) {
+        const ParticleTemplate& shape = scene.shapes[kind.shape];
+        if (kind.material != a && kind.material != b) continue;
+        const auto error = std::find_if(shape.certificate.begin(), shape.certificate.end(),
+                                        [](const auto& e) { return e.first == "sdf_error_max"; });
+        if (error == shape.certificate.end()) continue;
+        const double thickness = half_thickness(shape.mass_properties);
+        if (error->second * 2.0 * shape.bounding_radius <= 0.1 * thickness) continue;
+        throw Error(values.where("contact"), "'nodes' needs the distance field of '" + shape.name +
+                                                 "', which is coarser than the body is thick, "
+                                                 "expected 'continuous'");
+    }
+}
+
 ContactLaw law_of(const Scene& scene, const CaseSection& section, std::uint32_t a,
                   std::uint32_t b) {
     const Values values(section, *section_kind("contact"));
@@ -104,6 +130,7 @@ ContactLaw law_of(const Scene& scene, const CaseSection& section, std::uint32_t 
     }
     const ContactLaw law_options = options(values);
     check_method(scene, values, law_options, a, b);
+    check_field(scene, values, law_options, a, b);
     if (law_options.model == ContactLaw::Model::linear) {
         for (const char* key : {"normal_stiffness", "tangential_restitution"}) {
             if (values.has(key)) continue;
