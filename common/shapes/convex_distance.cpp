@@ -52,10 +52,11 @@ SurfaceDistance from_segment(const ConvexShape& shape, const Vec3& x) {
                       Vec3::UnitX());
 }
 
-/// The nearest of the faces number(0), number(1), ...
+/// The nearest of the faces number(0), number(1), ... The search ends where one of their planes
+/// shows that x is farther than `beyond`.
 template <class Number>
 SurfaceDistance from_faces(const ConvexShape& shape, Index count, const Number& number,
-                           const Vec3& x) {
+                           const Vec3& x, double beyond) {
     double highest = -std::numeric_limits<double>::infinity();
     Vec3 normal = Vec3::UnitZ();
     double least = std::numeric_limits<double>::infinity();
@@ -64,6 +65,7 @@ SurfaceDistance from_faces(const ConvexShape& shape, Index count, const Number& 
         const Index f = number(k);
         const ConvexShape::Plane& plane = shape.planes[f];
         const double height = plane.normal.dot(x) - plane.offset;
+        if (height >= beyond) return {height, plane.normal};
         if (height > highest) {
             highest = height;
             normal = plane.normal;
@@ -80,7 +82,8 @@ SurfaceDistance from_polyhedron(const ConvexShape& shape, const Vec3& x) {
     if (shape.vertices.size() == 1) return from_point(x, shape.vertices[0], Vec3::UnitZ());
     if (shape.vertices.size() == 2) return from_segment(shape, x);
     return from_faces(
-        shape, static_cast<Index>(shape.face_count()), [](Index f) { return f; }, x);
+        shape, static_cast<Index>(shape.face_count()), [](Index f) { return f; }, x,
+        std::numeric_limits<double>::infinity());
 }
 
 /// Position in a half plane through the z axis.
@@ -89,7 +92,7 @@ struct HalfPlanePoint {
     Vec3 radial;  ///< unit; some direction on the axis
 
     explicit HalfPlanePoint(const Vec3& x)
-        : r(std::hypot(x.x(), x.y())), z(x.z()), radial(Vec3::UnitX()) {
+        : r(std::sqrt(square(x.x()) + square(x.y()))), z(x.z()), radial(Vec3::UnitX()) {
         if (r > 0.0) radial = Vec3(x.x() / r, x.y() / r, 0.0);
     }
     Vec3 direction(double n_r, double n_z) const {
@@ -105,7 +108,7 @@ SurfaceDistance from_cylinder(const ConvexShape& shape, const Vec3& x) {
     const double end = upper ? p.z - high : shape.low - p.z;
     const double end_z = upper ? 1.0 : -1.0;
     if (side > 0.0 && end > 0.0) {
-        const double distance = std::hypot(side, end);
+        const double distance = std::sqrt(square(side) + square(end));
         return {distance, p.direction(side / distance, end_z * end / distance)};
     }
     if (side > end) return {side, p.direction(1.0, 0.0)};
@@ -117,7 +120,7 @@ SurfaceDistance from_cone(const ConvexShape& shape, const Vec3& x) {
     const double radius = shape.size.x;
     const double height = shape.size.z;
     const double z = p.z - shape.low;
-    const double slant = std::hypot(radius, height);
+    const double slant = std::sqrt(square(radius) + square(height));
     const double n_r = height / slant;
     const double n_z = radius / slant;
     const double above_side = n_r * (p.r - radius) + n_z * z;
@@ -132,7 +135,7 @@ SurfaceDistance from_cone(const ConvexShape& shape, const Vec3& x) {
     if (below_base > 0.0 && p.r <= radius) return {below_base, p.direction(0.0, -1.0)};
     const double to_r = s > slant ? p.r : p.r - radius;
     const double to_z = s > slant ? z - height : z;
-    const double distance = std::hypot(to_r, to_z);
+    const double distance = std::sqrt(square(to_r) + square(to_z));
     return {distance, p.direction(to_r / distance, to_z / distance)};
 }
 
@@ -203,10 +206,10 @@ SurfaceDistance core_distance(const ConvexShape& shape, const Vec3& x) {
 }
 
 SurfaceDistance distance_from_faces(const ConvexShape& shape, std::span<const Index> faces,
-                                    const Vec3& x) {
+                                    const Vec3& x, double beyond) {
     if (shape.vertices.size() == 2) return from_segment(shape, x);
     return from_faces(
-        shape, static_cast<Index>(faces.size()), [&](Index k) { return faces[k]; }, x);
+        shape, static_cast<Index>(faces.size()), [&](Index k) { return faces[k]; }, x, beyond);
 }
 
 SurfaceDistance surface_distance(const ConvexShape& shape, const Vec3& x) {

@@ -35,11 +35,15 @@ std::map<std::pair<Index, Index>, Index> faces_by_edge(const ConvexShape& shape)
 
 std::vector<Edge> edges_of(const ConvexShape& shape) {
     std::vector<Edge> edges;
-    if (shape.vertices.size() == 2) edges.push_back({0, 1, Edge::no_face, Edge::no_face});
+    const auto add = [&](Index from, Index to, Index left, Index right) {
+        const Vec3 way = shape.vertices[to] - shape.vertices[from];
+        edges.push_back({from, to, left, right, way.normalized(), way.norm()});
+    };
+    if (shape.vertices.size() == 2) add(0, 1, Edge::no_face, Edge::no_face);
     const auto faces = faces_by_edge(shape);
     for (const auto& [edge, left] : faces) {
         if (edge.first < edge.second)
-            edges.push_back({edge.first, edge.second, left, faces.at({edge.second, edge.first})});
+            add(edge.first, edge.second, left, faces.at({edge.second, edge.first}));
     }
     return edges;
 }

@@ -28,6 +28,8 @@ struct ConvexShape {
         static constexpr std::uint32_t no_face = ~std::uint32_t{0};
         std::uint32_t from, to;
         std::uint32_t left, right;  ///< faces, seen from outside on the way from -> to
+        Vec3 direction;             ///< unit, from -> to
+        double length;              ///< [m]
     };
     struct Plane {
         Vec3 normal;  ///< unit, outwards
@@ -141,8 +143,9 @@ SurfaceDistance surface_distance(const ConvexShape& shape, const Vec3& x);
 SurfaceDistance core_distance(const ConvexShape& shape, const Vec3& x);
 
 /// The same from a polyhedron with at least two vertices of which it is known that the nearest
-/// point lies in one of these faces.
+/// point lies in one of these faces. Of a point farther than `beyond` [m] a lower bound, which is
+/// no less than `beyond`.
 SurfaceDistance distance_from_faces(const ConvexShape& shape, std::span<const std::uint32_t> faces,
-                                    const Vec3& x);
+                                    const Vec3& x, double beyond);
 
 }  // namespace dem

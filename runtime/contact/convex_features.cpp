@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/convex_features.hpp"
 
-#include <algorithm>
-
 namespace dem {
 
 namespace {
 
-using Index = std::uint32_t;
-
-void add_new(std::vector<Index>& list, Index value) {
-    if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
-}
-
 /// Nearest points of two edges' lines.
 struct EdgePair {
-    const ConvexScratch::EdgeLine& a;
-    const ConvexScratch::EdgeLine& b;
+    const EdgeLine& a;
+    const EdgeLine& b;
     double cosine;
     double sine2;
     double t, u;  ///< places along the edges [m]
@@ -69,76 +61,40 @@ void add_edge_pair(const EdgePair& e, const NearCores& near, double rounding_i, 
 
 }  // namespace
 
-void collect(const PlacedCore& core, const Vec3& direction, double depth, std::uint32_t start,
-             ConvexScratch::Side& side) {
-    const ConvexShape& shape = core.shape;
-    const Vec3 along = core.direction_in_body(direction);
-    start = farthest_vertex(shape, along, start);
-    const double least = shape.vertices[start].dot(along) - depth;
-    side.vertices.assign(1, start);
-    side.edges.clear();
-    side.faces.clear();
-    side.lines.clear();
-    for (std::size_t k = 0; k < side.vertices.size(); ++k) {
-        const Index v = side.vertices[k];
-        for (Index n = shape.neighbor_begin[v]; n < shape.neighbor_begin[v + 1]; ++n) {
-            const Index other = shape.neighbors[n];
-            const Index edge = shape.neighbor_edges[n];
-            const bool is_near = shape.vertices[other].dot(along) > least;
-            if (is_near) add_new(side.vertices, other);
-            // An edge of two near vertices is met twice.
-            if (is_near && other < v) continue;
-            side.edges.push_back(edge);
-        }
-    }
-    for (const Index e : side.edges) {
-        const ConvexShape::Edge& edge = shape.edges[e];
-        const Vec3 from = core.vertex(edge.from);
-        const Vec3 way = core.vertex(edge.to) - from;
-        const double length = way.norm();
-        side.lines.push_back(
-            {from, way / length, length, std::min(edge_ramp * core.size, 0.5 * length)});
-        if (edge.left == ConvexShape::Edge::no_face) continue;
-        add_new(side.faces, edge.left);
-        add_new(side.faces, edge.right);
-    }
-}
-
-Ramp end_ramp(const ConvexScratch::EdgeLine& edge, double t) {
+Ramp end_ramp(const EdgeLine& edge, double t) {
     const Ramp low(t / edge.ramp);
     const Ramp high((edge.length - t) / edge.ramp);
     return {low.value * high.value, (low.slope * high.value - low.value * high.slope) / edge.ramp};
 }
 
-SurfaceDistance distance_to(const PlacedCore& core, const ConvexScratch::Side& side,
-                            bool cores_overlap, const Vec3& x) {
+SurfaceDistance distance_to(const PlacedCore& core, const ConvexCap& cap, bool cores_overlap,
+                            const Vec3& x, double beyond) {
     const Vec3 x_body = core.in_body(x);
     SurfaceDistance d = core.has_vertices() && !cores_overlap
-                            ? distance_from_faces(core.shape, side.faces, x_body)
+                            ? distance_from_faces(core.shape, cap.faces, x_body, beyond)
                             : core_distance(core.shape, x_body);
     d.normal = core.turned(d.normal);
     return d;
 }
 
-void add_vertices(const PlacedCore& core, const ConvexScratch::Side& side, const PlacedCore& other,
-                  const ConvexScratch::Side& other_side, const NearCores& near, double sign,
-                  FeatureSum& features) {
+void add_vertex(const PlacedCore& core, std::uint32_t vertex, const PlacedCore& other,
+                const ConvexCap& other_cap, const NearCores& near, double sign,
+                FeatureSum& features) {
     const double reach = core.rounding + other.rounding;
-    for (const Index v : side.vertices) {
-        const Vec3 x = core.vertex(v);
-        const SurfaceDistance d = distance_to(other, other_side, near.cores_overlap, x);
-        const double overlap = reach - d.distance;
-        if (!(overlap > 0.0)) continue;
-        const Vec3 position = x - (core.rounding - 0.5 * overlap) * d.normal;
-        features.add({position, sign * d.normal, overlap}, 1.0);
-    }
+    const Vec3 x = core.vertex(vertex);
+    const SurfaceDistance d = distance_to(other, other_cap, near.cores_overlap, x, reach);
+    const double overlap = reach - d.distance;
+    if (!(overlap > 0.0)) return;
+    const Vec3 position = x - (core.rounding - 0.5 * overlap) * d.normal;
+    features.add({position, sign * d.normal, overlap}, 1.0);
 }
 
 void add_edges(const ConvexScratch& scratch, const NearCores& near, double rounding_i,
                double rounding_j, FeatureSum& features) {
     const double reach = rounding_i + rounding_j;
-    for (const ConvexScratch::EdgeLine& a : scratch.i.lines) {
-        for (const ConvexScratch::EdgeLine& b : scratch.j.lines) {
+    for (const EdgeLine& a : scratch.i.lines) {
+        for (const EdgeLine& b : scratch.j.lines) {
+            if ((a.middle - b.middle).squaredNorm() >= square(a.half + b.half + reach)) continue;
             const Vec3 between = a.start - b.start;
             const double cosine = a.direction.dot(b.direction);
             const double sine2 = 1.0 - cosine * cosine;
@@ -156,13 +112,45 @@ void add_edges(const ConvexScratch& scratch, const NearCores& near, double round
     }
 }
 
+namespace {
+
+/// Sum over the vertices that can be near the other cap.
+void add_vertices(const PlacedCore& core, const ConvexCap& cap, const PlacedCore& other,
+                  ConvexCap& other_cap, const NearCores& near, double sign, FeatureSum& features) {
+    const double reach = core.rounding + other.rounding;
+    const CapBall in_body{core.in_body(other_cap.ball.center), other_cap.ball.radius};
+    bool has_faces = false;
+    for (const ConvexCap::Vertex& v : cap.vertices) {
+        // Of cores that overlap what is nearest to a vertex may lie outside the cap.
+        if (!near.cores_overlap && !in_body.meets(core.shape.vertices[v.number], reach)) continue;
+        if (!has_faces) list_faces(other, other_cap);
+        has_faces = true;
+        add_vertex(core, v.number, other, other_cap, near, sign, features);
+    }
+}
+
+/// Edges of both caps near the other one, those of the larger cap first: mostly there are none.
+bool list_near_lines(const PlacedCore& larger, ConvexCap& large, const PlacedCore& smaller,
+                     ConvexCap& small) {
+    const double reach = larger.rounding + smaller.rounding;
+    list_lines(larger, small.ball, reach, large);
+    if (large.lines.empty()) return false;
+    list_lines(smaller, large.ball, reach, small);
+    return true;
+}
+
+}  // namespace
+
 void add_polyhedra(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
                    ConvexScratch& scratch, FeatureSum& features) {
-    collect(i, -near.normal, near.deepest, near.start_i, scratch.i);
-    collect(j, near.normal, near.deepest, near.start_j, scratch.j);
+    collect_cap(i, -near.normal, near.deepest, near.start_i, scratch.i);
+    collect_cap(j, near.normal, near.deepest, near.start_j, scratch.j);
     add_vertices(i, scratch.i, j, scratch.j, near, 1.0, features);
     add_vertices(j, scratch.j, i, scratch.i, near, -1.0, features);
-    add_edges(scratch, near, i.rounding, j.rounding, features);
+    const bool has_lines = scratch.i.ball.radius > scratch.j.ball.radius
+                               ? list_near_lines(i, scratch.i, j, scratch.j)
+                               : list_near_lines(j, scratch.j, i, scratch.i);
+    if (has_lines) add_edges(scratch, near, i.rounding, j.rounding, features);
 }
 
 }  // namespace dem

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dem {
 
@@ -25,7 +26,7 @@ const SampleCircle sample_circle;
 /// One body of the pair with what the features of the other need to know.
 struct Body {
     const PlacedCore& core;
-    const ConvexScratch::Side& side;
+    const ConvexCap& side;
     double sign;    ///< 1: i, -1: j
     Vec3 towards;   ///< unit, to the other body
     double extent;  ///< of the core along it, from the origin of the pair [m]
@@ -39,35 +40,39 @@ FeaturePoint point_against(const Body& body, const Body& other, bool cores_overl
 }
 
 /// Where the rim of an end is nearest to the other body, from a point of the rim on: the root of
-/// the derivative by the angle, by the secant method within a bracket once there is one.
+/// the derivative by the angle, by the secant method within a bracket once there is one. Angles are
+/// held as the tangent u of their half, which spares sines.
 FeaturePoint deepest_of_rim(const PlacedCap& cap, const Vec3& start, const Body& body,
                             const Body& other) {
     const Vec3 across = cap.axis.cross(start);
-    double angle = 0.0;
-    double low = -pi;  // where the derivative was last seen negative, and positive
-    double high = pi;
-    double last_angle = 0.0;
+    double u = 0.0;
+    double low = -std::numeric_limits<double>::infinity();  // where the slope was last seen < 0
+    double high = -low;                                     // and > 0
+    double last_u = 0.0;
     double last_slope = 0.0;
     FeaturePoint p{};
     for (int k = 0; k < 40; ++k) {
-        const double c = std::cos(angle);
-        const double s = std::sin(angle);
+        const double scale = 1.0 / (1.0 + u * u);
+        const double c = (1.0 - u * u) * scale;
+        const double s = 2.0 * u * scale;
         const Vec3 m = c * start + s * across;
         p = point_against(body, other, false, cap.center + cap.radius * m);
         const Vec3 away = body.sign * p.normal;
         const double slope = away.dot(c * across - s * start);
-        (slope < 0.0 ? low : high) = angle;
-        if (std::abs(slope) <= 1e-14) break;
-        // Of a plane the second derivative is -away.m, of any convex body more.
-        double curvature = std::max(-away.dot(m), 2.0 * std::abs(slope));
-        if (k > 0) curvature = (slope - last_slope) / (angle - last_angle);
-        const double step = curvature > 0.0 ? std::clamp(-slope / curvature, -0.5, 0.5)
-                                            : -std::copysign(0.5, slope);
-        last_angle = angle;
+        (slope < 0.0 ? low : high) = u;
+        // The distance is then known to the square of it.
+        if (std::abs(slope) <= 1e-12) break;
+        // Of a plane the second derivative by the angle is -away.m, of any convex body more.
+        double curvature = 2.0 * scale * std::max(-away.dot(m), 2.0 * std::abs(slope));
+        if (k > 0) curvature = (slope - last_slope) / (u - last_u);
+        const double most = 0.25 / scale;
+        const double step = curvature > 0.0 ? std::clamp(-slope / curvature, -most, most)
+                                            : -std::copysign(most, slope);
+        last_u = u;
         last_slope = slope;
-        angle += step;
-        if (angle <= low || angle >= high) angle = 0.5 * (low + high);
-        if (std::abs(angle - last_angle) <= 1e-13) break;
+        u += step;
+        if (u <= low || u >= high) u = 0.5 * (low + high);
+        if (std::abs(u - last_u) <= 1e-13) break;
     }
     return p;
 }
@@ -108,7 +113,7 @@ class RimCrossings {
           rounding_(other.core.rounding),
           reach_(body.core.rounding + other.core.rounding) {}
 
-    void add(const ConvexScratch::EdgeLine& edge, FeatureSum& features) const {
+    void add(const EdgeLine& edge, FeatureSum& features) const {
         const Vec3 start = edge.start - cap_.center;
         const double along = edge.direction.dot(outward_);
         const double sine2 = 1.0 - along * along;
@@ -129,8 +134,7 @@ class RimCrossings {
     /// Crossings fade where the line leaves the end, over this part of its radius.
     static constexpr double chord_ramp = 0.1;
 
-    void add_at(const ConvexScratch::EdgeLine& edge, double t, const Vec3& nearest,
-                FeatureSum& features) const {
+    void add_at(const EdgeLine& edge, double t, const Vec3& nearest, FeatureSum& features) const {
         const Vec3& e = edge.direction;
         const Vec3 x = edge.start + t * e;
         const double height = (x - cap_.center).dot(outward_);
@@ -216,7 +220,7 @@ void add_cap(const PlacedCap& cap, const Vec3& across, const Body& body, const B
     }
     if (!other.core.has_vertices()) return;
     const RimCrossings crossings(cap, body, other);
-    for (const ConvexScratch::EdgeLine& edge : other.side.lines) crossings.add(edge, features);
+    for (const EdgeLine& edge : other.side.lines) crossings.add(edge, features);
 }
 
 void add_tip(const Body& body, const Body& other, const NearCores& near, FeatureSum& features) {
@@ -228,15 +232,30 @@ void add_tip(const Body& body, const Body& other, const NearCores& near, Feature
 }
 
 /// The axis of a cylinder as an edge that is as thick as the cylinder.
-void list_axis(const PlacedCore& core, ConvexScratch::Side& side) {
-    side.vertices.clear();
-    side.edges.clear();
-    side.faces.clear();
-    side.lines.clear();
+void list_axis(const PlacedCore& core, ConvexCap& cap) {
+    cap.vertices.clear();
+    cap.edges.clear();
+    cap.faces.clear();
+    cap.lines.clear();
     const ConvexShape& shape = core.shape;
     if (shape.core != ConvexShape::Core::cylinder || shape.size.z == 0.0) return;
-    side.lines.push_back({core.place({0.0, 0.0, shape.low}), core.turned(Vec3::UnitZ()),
-                          shape.size.z, std::min(edge_ramp * core.size, 0.5 * shape.size.z)});
+    const double half = 0.5 * shape.size.z;
+    cap.lines.push_back({core.place({0.0, 0.0, shape.low}), core.turned(Vec3::UnitZ()),
+                         shape.size.z, std::min(edge_ramp * core.size, half),
+                         core.place({0.0, 0.0, shape.low + half}), half});
+}
+
+/// What of a core can touch. The end of a cylinder can lie above an edge of a face that is far
+/// away, so that all edges count.
+void list_cap(const PlacedCore& core, const Vec3& direction, double depth, std::uint32_t start,
+              ConvexCap& cap) {
+    if (!core.has_vertices()) {
+        list_axis(core, cap);
+        return;
+    }
+    collect_cap(core, direction, depth, start, cap);
+    list_faces(core, cap);
+    list_lines(core, cap);
 }
 
 double thickness(const PlacedCore& core) {
@@ -246,7 +265,8 @@ double thickness(const PlacedCore& core) {
 void add_body(const Body& body, const Body& other, const NearCores& near,
               const FeaturePoint& deepest, FeatureSum& features) {
     if (body.core.has_vertices()) {
-        add_vertices(body.core, body.side, other.core, other.side, near, body.sign, features);
+        for (const ConvexCap::Vertex& v : body.side.vertices)
+            add_vertex(body.core, v.number, other.core, other.side, near, body.sign, features);
         return;
     }
     const PlacedCaps caps = caps_of(body.core);
@@ -255,12 +275,15 @@ void add_body(const Body& body, const Body& other, const NearCores& near,
     if (body.core.shape.core == ConvexShape::Core::cone) add_tip(body, other, near, features);
 }
 
-Body body_of(const PlacedCore& core, const ConvexScratch::Side& side, const Vec3& towards,
-             double sign) {
+Body body_of(const PlacedCore& core, const ConvexCap& side, const Vec3& towards, double sign) {
     return {core, side, sign, towards, core.support(towards, 0).position.dot(towards)};
 }
 
 }  // namespace
+
+Vec2 PlacedCap::sample_direction(std::size_t k) {
+    return {sample_circle.cosine[k], sample_circle.sine[k]};
+}
 
 Vec3 PlacedCap::sample(std::size_t k, const Vec3& across) const {
     return center +
@@ -285,16 +308,8 @@ PlacedCaps caps_of(const PlacedCore& core) {
 
 void add_round(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
                const FeaturePoint& deepest, ConvexScratch& scratch, FeatureSum& features) {
-    if (i.has_vertices()) {
-        collect(i, -near.normal, near.deepest, near.start_i, scratch.i);
-    } else {
-        list_axis(i, scratch.i);
-    }
-    if (j.has_vertices()) {
-        collect(j, near.normal, near.deepest, near.start_j, scratch.j);
-    } else {
-        list_axis(j, scratch.j);
-    }
+    list_cap(i, -near.normal, near.deepest, near.start_i, scratch.i);
+    list_cap(j, near.normal, near.deepest, near.start_j, scratch.j);
     const Body body_i = body_of(i, scratch.i, -near.normal, 1.0);
     const Body body_j = body_of(j, scratch.j, near.normal, -1.0);
     FeatureSum others(features.pair(), features.deepest());

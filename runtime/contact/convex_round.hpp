@@ -20,12 +20,11 @@ struct PlacedCap {
         if (length <= 1e-12 * direction.norm()) return {center};
         return {center + (radius / length) * across};
     }
-    Vec3 vertex(std::uint32_t /*v*/) const { return center; }
-    static bool has_vertices() { return false; }
 
     /// Points fixed on the rim, evenly spread.
     static constexpr std::size_t sample_count = 16;
     Vec3 sample(std::size_t k, const Vec3& across) const;
+    static Vec2 sample_direction(std::size_t k);
 };
 
 /// The flat ends of a core, none to two.

@@ -34,8 +34,9 @@ class PlaneFeatures {
         const ConvexShape& shape = core_.shape;
         const Vec3 down = -plane_.normal;
         if (core_.has_vertices()) {
-            collect(core_, down, features_.deepest(), lowest, scratch.i);
-            for (const std::uint32_t v : scratch.i.vertices) add(core_.vertex(v), features_);
+            collect_vertices(core_, down, features_.deepest(), lowest, scratch.i);
+            for (const ConvexCap::Vertex& v : scratch.i.vertices)
+                add(core_.vertex(v.number), features_);
             return;
         }
         const PlacedCaps caps = caps_of(core_);
@@ -77,7 +78,7 @@ template <class Support>
 class TubeMaxima {
   public:
     TubeMaxima(const Support& support, const Vec3& e1, const Vec3& e2)
-        : support_(support), e1_(e1), e2_(e2) {}
+        : support_(support), e1_(e1), e2_(e2), axis_(e1.cross(e2)) {}
 
     struct Maximum {
         double value;
@@ -86,47 +87,51 @@ class TubeMaxima {
     /// Calls visit(maximum) for each.
     template <class Visit>
     void visit(const Visit& visit) const {
-        constexpr int division = 16;
-        double low = slope(0.0);
-        for (int k = 0; k < division; ++k) {
-            const double from = 2.0 * pi * k / division;
-            const double to = 2.0 * pi * (k + 1) / division;
+        Vec3 from = direction(0);
+        double low = slope(from);
+        for (std::size_t k = 1; k <= division; ++k) {
+            const Vec3 to = direction(k % division);
             const double high = slope(to);
             if (low >= 0.0 && high < 0.0) visit(between(from, to, low, high));
+            from = to;
             low = high;
         }
     }
 
   private:
-    Vec3 direction(double angle) const { return std::cos(angle) * e1_ + std::sin(angle) * e2_; }
-    double slope(double angle) const {
-        const Vec3 e = direction(angle);
-        return (std::cos(angle) * e2_ - std::sin(angle) * e1_).dot(support_(e));
+    static constexpr std::size_t division = PlacedCap::sample_count;
+
+    Vec3 direction(std::size_t k) const {
+        const Vec2 u = PlacedCap::sample_direction(k);
+        return u.x() * e1_ + u.y() * e2_;
     }
-    /// The root of the slope: secants within the bracket, halved when they gain little.
-    Maximum between(double from, double to, double low, double high) const {
-        for (int k = 0; k < 60 && to - from > 1e-13; ++k) {
-            const double width = to - from;
-            double angle = from + width * low / (low - high);
-            if (k % 3 == 2) angle = 0.5 * (from + to);
-            const double s = slope(angle);
+    double slope(const Vec3& e) const { return axis_.cross(e).dot(support_(e)); }
+    /// The root of the slope on the way t from one direction to the other: secants within the
+    /// bracket, halved when they gain little.
+    Maximum between(const Vec3& from, const Vec3& to, double low, double high) const {
+        double begin = 0.0;
+        double end = 1.0;
+        for (int k = 0; k < 60 && end - begin > 1e-13; ++k) {
+            double t = begin + (end - begin) * low / (low - high);
+            if (k % 3 == 2) t = 0.5 * (begin + end);
+            const double s = slope((from + t * (to - from)).normalized());
             if (s == 0.0) {
-                from = to = angle;
+                begin = end = t;
             } else if (s > 0.0) {
-                from = angle;
+                begin = t;
                 low = s;
             } else {
-                to = angle;
+                end = t;
                 high = s;
             }
         }
-        const Vec3 e = direction(0.5 * (from + to));
+        const Vec3 e = (from + 0.5 * (begin + end) * (to - from)).normalized();
         const Vec3 x = support_(e);
         return {e.dot(x), x, e};
     }
 
     const Support& support_;
-    Vec3 e1_, e2_;
+    Vec3 e1_, e2_, axis_;
 };
 
 class TubeFeatures {
@@ -147,9 +152,13 @@ class TubeFeatures {
         const Vec3 e2 = axis_.cross(e1);
         const PlacedCaps caps = caps_of(core_);
         for (std::size_t k = 0; k < caps.count; ++k) {
-            visit_maxima(
-                [&](const Vec3& e) { return Vec3(caps.cap[k].support(e, 0).position - origin_); },
-                e1, e2, visit);
+            const PlacedCap& cap = caps.cap[k];
+            const double r = axial_point(cap.center - origin_, axis_).r;
+            const double clear = wall_.radius - r - cap.radius - core_.rounding;
+            gap_ = std::min(gap_, clear);
+            if (clear > 0.0) continue;
+            visit_maxima([&](const Vec3& e) { return Vec3(cap.support(e, 0).position - origin_); },
+                         e1, e2, visit);
         }
         if (core_.shape.core == ConvexShape::Core::cone)
             visit_point(core_.place({0.0, 0.0, core_.shape.low + core_.shape.size.z}), visit);
@@ -195,11 +204,16 @@ PairContact in_tube(const ConvexShape& a, const CylinderWall& wall, const Convex
     if (clear > 0.0) return keep_apart(call.memory, clear);
     const PlacedCore core(a, call.pair.i.orientation, Vec3::Zero());
     TubeFeatures tube(core, wall, axis, call.pair);
+    std::vector<FeaturePoint>& points = call.memory.scratch.points;
+    points.clear();
     double deepest = 0.0;
-    tube.visit([&](const FeaturePoint& p) { deepest = std::max(deepest, p.overlap); });
-    if (deepest == 0.0) return keep_apart(call.memory, std::max(tube.gap(), 0.0));
+    tube.visit([&](const FeaturePoint& p) {
+        deepest = std::max(deepest, p.overlap);
+        points.push_back(p);
+    });
+    if (points.empty()) return keep_apart(call.memory, std::max(tube.gap(), 0.0));
     FeatureSum features(call.pair, deepest);
-    tube.visit([&](const FeaturePoint& p) { features.add(p, 1.0); });
+    for (const FeaturePoint& p : points) features.add(p, 1.0);
     return contact_force(features, 0.5 * a.equivalent_diameter, call.law, call.dt,
                          call.memory.history);
 }
@@ -235,7 +249,7 @@ PairContact collide(const ConvexShape& a, const PlaneWall& wall, const PairState
     if (height > a.bounding_radius) return keep_apart(memory, height - a.bounding_radius);
     if (std::isfinite(wall.radius) && height < 0.0) return keep_apart(memory, -height);
     const PlacedCore core(a, pair.i.orientation, Vec3::Zero());
-    const CorePoint lowest = core.support(-plane.normal, memory.history.search.vertex_a[0]);
+    const CorePoint lowest = core.support(-plane.normal, memory.history.search.a[0].vertex);
     const double deepest = a.rounding - plane.height(lowest.position);
     if (!(deepest > 0.0)) return keep_apart(memory, -deepest);
     FeatureSum features(pair, deepest);
@@ -243,7 +257,7 @@ PairContact collide(const ConvexShape& a, const PlaneWall& wall, const PairState
     if (features.empty()) return keep_apart(memory, 0.0);
     const PairContact contact =
         contact_force(features, 0.5 * a.equivalent_diameter, law, dt, memory.history);
-    memory.history.search.vertex_a[0] = lowest.vertex;
+    memory.history.search.a[0].vertex = lowest.vertex;
     return contact;
 }
 

@@ -39,13 +39,19 @@ struct Simplex {
 /// weights. Returns false when the origin is inside.
 bool reduce(Simplex& simplex);
 
-/// What a pair keeps of its last search: the vertices of the simplex of polyhedra, the direction
-/// for all. All zero: nothing.
+/// How a support point is found again when its body has moved: the vertex of a polyhedron, of other
+/// cores a direction in the frame of the body. Whatever the digits of the direction, the point lies
+/// on the core.
+struct SupportKey {
+    std::uint32_t vertex = 0;
+    std::array<float, 3> direction{};
+};
+
+/// What a pair keeps of its last search: the direction and the simplex. All zero: nothing.
 struct SearchStart {
     StoredVec3 direction;  ///< unit, from j towards i
-    std::uint32_t count = 0;
-    std::uint32_t with_vertices = 0;
-    std::array<std::uint32_t, 4> vertex_a{}, vertex_b{};
+    std::uint64_t count = 0;
+    std::array<SupportKey, 3> a{}, b{};
 };
 
 struct CoreDistance {
@@ -83,11 +89,11 @@ template <class CoreI, class CoreJ>
 Simplex first_simplex(const CoreI& i, const CoreJ& j, const SearchStart& start,
                       const Vec3& direction) {
     Simplex s;
-    if (start.with_vertices != 0) {
+    if constexpr (CoreI::has_keys && CoreJ::has_keys) {
         for (std::size_t k = 0; k < start.count; ++k) {
-            const Vec3 a = i.vertex(start.vertex_a[k]);
-            const Vec3 b = j.vertex(start.vertex_b[k]);
-            s.point[k] = {a - b, a, b, start.vertex_a[k], start.vertex_b[k]};
+            const Vec3 a = i.recalled(start.a[k]);
+            const Vec3 b = j.recalled(start.b[k]);
+            s.point[k] = {a - b, a, b, start.a[k].vertex, start.b[k].vertex};
         }
         s.count = static_cast<int>(start.count);
     }
@@ -157,12 +163,14 @@ template <class CoreI, class CoreJ>
 SearchStart next_start(const CoreI& i, const CoreJ& j, const CoreDistance& found) {
     SearchStart start;
     start.direction = found.normal;
-    if (!i.has_vertices() || !j.has_vertices() || found.overlaps) return start;
-    start.with_vertices = 1;
-    start.count = static_cast<std::uint32_t>(found.simplex.count);
-    for (std::size_t k = 0; k < start.count; ++k) {
-        start.vertex_a[k] = found.simplex.point[k].vertex_a;
-        start.vertex_b[k] = found.simplex.point[k].vertex_b;
+    if (found.overlaps) return start;
+    if constexpr (CoreI::has_keys && CoreJ::has_keys) {
+        start.count = static_cast<std::uint64_t>(found.simplex.count);
+        for (std::size_t k = 0; k < start.count; ++k) {
+            const SimplexPoint& p = found.simplex.point[k];
+            start.a[k] = i.key(p.a, p.vertex_a);
+            start.b[k] = j.key(p.b, p.vertex_b);
+        }
     }
     return start;
 }

@@ -4,6 +4,7 @@
 #include "common/shapes/convex_shape.hpp"
 #include "common/shapes/sphere.hpp"
 #include "common/shapes/sr_shape.hpp"
+#include "runtime/contact/gjk.hpp"
 #include "runtime/contact/support_sample.hpp"
 
 /// Cores at their places, as GJK and the features of a contact see them. A core offers
@@ -11,6 +12,7 @@
 ///     CorePoint support(direction, start)   the farthest point, and its vertex if it has any
 ///     double rounding                       of the sphere around the core [m]
 ///     double size                           bounding radius [m]
+///     SupportKey key(point, vertex)         and Vec3 recalled(key), if has_keys
 ///
 /// All vectors are in the world frame, relative to the center of i.
 namespace dem {
@@ -39,6 +41,23 @@ struct PlacedCore {
         p.position = place(p.position);
         return p;
     }
+    static constexpr bool has_keys = true;
+    SupportKey key(const Vec3& x, std::uint32_t vertex) const {
+        if (shape.is_polyhedron()) return {vertex, {}};
+        Vec3 towards = in_body(x);
+        if (shape.core == ConvexShape::Core::ellipsoid) {
+            const Vec3 axes = shape.size;
+            towards = towards.cwiseQuotient(axes.cwiseProduct(axes));
+        }
+        return {0,
+                {static_cast<float>(towards.x()), static_cast<float>(towards.y()),
+                 static_cast<float>(towards.z())}};
+    }
+    Vec3 recalled(const SupportKey& k) const {
+        if (shape.is_polyhedron()) return vertex(k.vertex);
+        const auto& n = k.direction;
+        return place(core_support(shape, Vec3(n[0], n[1], n[2])).position);
+    }
     /// Whether its surface is made of points, edges and faces.
     bool has_vertices() const { return shape.is_polyhedron(); }
 };
@@ -53,7 +72,9 @@ struct PlacedPoint {
         : center(at), rounding(sphere.radius), size(sphere.radius) {}
 
     CorePoint support(const Vec3& /*direction*/, std::uint32_t /*start*/) const { return {center}; }
-    Vec3 vertex(std::uint32_t /*v*/) const { return center; }
+    static constexpr bool has_keys = true;
+    static SupportKey key(const Vec3& /*x*/, std::uint32_t /*vertex*/) { return {}; }
+    Vec3 recalled(const SupportKey& /*k*/) const { return center; }
     static bool has_vertices() { return true; }
 };
 
@@ -71,7 +92,7 @@ struct PlacedSr {
         const Vec3 n = direction.normalized();
         return {center + map(n).point(n)};
     }
-    Vec3 vertex(std::uint32_t /*v*/) const { return center; }
+    static constexpr bool has_keys = false;
     static bool has_vertices() { return false; }
 };
 
