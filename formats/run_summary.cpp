@@ -36,6 +36,7 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
                        {"time_step", summary.time_step},
                        {"particles", summary.particles},
                        {"missing", missing},
+                       {"core_overlaps", summary.core_overlaps},
                        {"wall_time", summary.wall_time},
                        {"microseconds_per_particle_step", summary.microseconds_per_particle_step},
                        {"threads", summary.threads},

@@ -18,7 +18,8 @@ struct RunSummary {
     double time_step = 0.0;  ///< [s]
     std::uint64_t particles = 0;
     std::vector<std::pair<std::string, std::uint64_t>> missing;  ///< bodies never placed, by group
-    double wall_time = 0.0;                                      ///< [s]
+    std::uint64_t core_overlaps = 0;  ///< contacts in which cores of convex bodies overlapped
+    double wall_time = 0.0;           ///< [s]
     double microseconds_per_particle_step = 0.0;  ///< wall time over all particle steps
     int threads = 1;
     std::uint64_t seed = 0;

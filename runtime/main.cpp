@@ -124,6 +124,12 @@ void report(const dem::RunResult& result, const std::string& directory) {
               << " s in " << dem::format_duration(result.wall_time) << " ("
               << result.microseconds_per_particle_step << " us per particle and step)\nresults in "
               << directory << "\n";
+    if (result.core_overlaps > 0) {
+        std::cerr << "demrun: warning: in " << result.core_overlaps
+                  << " contacts convex bodies overlapped by more than their roundings, where the "
+                     "direction of the force may jump; a stiffer material or a larger rounding "
+                     "avoids it\n";
+    }
 }
 
 /// One line per group of which bodies are missing. Returns whether a region could not hold what the

@@ -137,6 +137,7 @@ RunResult run(Scene scene, const RunOptions& options) {
         result.microseconds_per_particle_step =
             1e6 * elapsed.count() / static_cast<double>(particle_steps);
     }
+    result.core_overlaps = simulation.core_overlaps();
     result.state_hash = simulation.state_hash();
     result.missing = missing_bodies(simulation);
     outputs.finish(simulation, result);

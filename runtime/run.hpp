@@ -36,6 +36,7 @@ struct RunResult {
     double time_step = 0.0;                       ///< [s]
     double wall_time = 0.0;                       ///< of the time loop [s]
     double microseconds_per_particle_step = 0.0;  ///< wall time over all particle steps
+    std::uint64_t core_overlaps = 0;              ///< simulation.hpp, Simulation::core_overlaps
     std::uint64_t state_hash = 0;                 ///< simulation.hpp, Simulation::state_hash
     std::vector<MissingBodies> missing;           ///< in the order of the case
 };

@@ -70,6 +70,7 @@ void Simulation::step() {
     if (is_stale(lists_, bodies())) rebuild_lists();    // 6  broad phase
     largest_overlap_ = compute_contacts(                // 7  narrow phase, contact laws
         lists_, bodies(), dt_, scratch_);
+    core_overlaps_ += scratch_.cores_met;
     check_overlap();                                  // 8
     sum_forces(particles_, lists_, scene_, ledger_);  // 9
     correct(particles_, scene_.kinds, dt_);           // 10 v(t + dt)

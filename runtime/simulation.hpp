@@ -44,6 +44,8 @@ class Simulation {
     const EnergyLedger& ledger() const { return ledger_; }
     const Inserter& inserter() const { return inserter_; }
     const LargestOverlap& largest_overlap() const { return largest_overlap_; }  ///< of this step
+    /// Contacts in which the cores of two convex bodies have overlapped, so far.
+    std::uint64_t core_overlaps() const { return core_overlaps_; }
     double inserted_energy() const { return inserted_energy_; }  ///< of all bodies when new [J]
     Bodies bodies() const { return {scene_, particles_, walls_}; }
 
@@ -79,6 +81,7 @@ class Simulation {
     NarrowPhaseScratch scratch_;
     EnergyLedger ledger_;
     LargestOverlap largest_overlap_;
+    std::uint64_t core_overlaps_ = 0;
     double inserted_energy_ = 0.0;
 };
 

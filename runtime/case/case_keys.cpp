@@ -137,9 +137,11 @@ constexpr Key contact_keys[] = {
     {.name = "contact",
      .type = choice,
      .standard = "auto",
-     .words = "auto continuous nodes",
-     .doc = "contact geometry of SR shapes: `auto` is `continuous` for convex pairs and `nodes` "
-            "for the rest; pairs with a clump have one way and ignore it"},
+     .words = "auto continuous nodes centroid",
+     .doc = "contact geometry. SR shapes: `auto` is `continuous` for convex pairs and `nodes` for "
+            "the rest. Convex shapes: by features, with `centroid` one point at the centroid of "
+            "the patch [GC], which does not keep the energy. Pairs with a clump have one way and "
+            "ignore it"},
     {.name = "node_normal",
      .type = choice,
      .standard = "gradient",

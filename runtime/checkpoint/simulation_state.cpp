@@ -51,6 +51,7 @@ void Simulation::visit_state(Self& self, Visit& visit) {
     visit("ledger.wall_work", self.ledger_.wall_work);
     visit("ledger.inserted", self.inserted_energy_);
     visit("largest_overlap", self.largest_overlap_);
+    visit("core_overlaps", self.core_overlaps_);
     Inserter::visit_state(self.inserter_, visit);
 }
 

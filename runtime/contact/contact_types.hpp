@@ -43,7 +43,7 @@ struct PairState {
 /// Force law of one pair of materials, with everything that does not change during a run derived.
 struct ContactLaw {
     enum class Model : std::uint8_t { hertz, linear };
-    enum class Method : std::uint8_t { automatic, continuous, nodes };
+    enum class Method : std::uint8_t { automatic, continuous, nodes, centroid };
     enum class Tangential : std::uint8_t { ratio, mindlin };
     enum class DampingMass : std::uint8_t { contact, reduced };
     enum class MultiContact : std::uint8_t { norm, sum, deepest };
@@ -86,6 +86,7 @@ struct PairContact {
     double elastic_energy = 0.0;     ///< stored in normal and tangential springs [J]
     double dissipated_energy = 0.0;  ///< by dashpots and slip during this step [J]
     std::uint32_t points = 0;        ///< contact points; 0: the bodies do not touch
+    bool cores_met = false;          ///< two convex cores overlap for the first time
 
     bool touches() const { return points != 0; }
 };

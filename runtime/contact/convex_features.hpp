@@ -15,6 +15,8 @@ namespace dem {
 struct ConvexScratch {
     ConvexCap i, j;
     std::vector<FeaturePoint> points;  ///< of walls
+    std::vector<Vec3> corners;         ///< convex_centroid.hpp
+    std::vector<Vec2> polygon_i, polygon_j;
 };
 
 /// What the distance of the cores tells about the pair.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "runtime/contact/convex_centroid.hpp"
 #include "runtime/contact/convex_convex.hpp"
 #include "runtime/contact/convex_nearest.hpp"
 #include "runtime/contact/convex_radius.hpp"
@@ -94,6 +95,17 @@ inline void add_features(const PlacedCore& i, const PlacedCore& j, const ConvexT
     }
 }
 
+/// The one point of `contact = centroid`.
+template <class CoreI, class CoreJ>
+FeaturePoint centroid_point(const CoreI& /*i*/, const CoreJ& /*j*/, const ConvexTouch& touch,
+                            ConvexScratch& /*scratch*/) {
+    return touch.point;
+}
+inline FeaturePoint centroid_point(const PlacedCore& i, const PlacedCore& j,
+                                   const ConvexTouch& touch, ConvexScratch& scratch) {
+    return patch_centroid(i, j, touch.point, touch.near, scratch);
+}
+
 /// Error of the distance that the features make up for: those of cylinders and polyhedra are found
 /// by themselves, the distance only says where to look. Polyhedra are exact at no cost.
 template <class CoreI, class CoreJ>
@@ -139,9 +151,15 @@ PairContact core_contact(const CoreI& i, const CoreJ& j, const ConvexRadius& rad
     // Cores that share a point without a body around them.
     if (!(touch.point.overlap > 0.0)) return keep_apart(memory, 0.0);
     FeatureSum features(call.pair, touch.point.overlap);
-    add_features(i, j, touch, memory.scratch, features);
+    if (call.law.method == ContactLaw::Method::centroid) {
+        features.add(centroid_point(i, j, touch, memory.scratch), 1.0);
+    } else {
+        add_features(i, j, touch, memory.scratch, features);
+    }
     if (features.empty()) features.add(touch.point, 1.0);
-    const PairContact contact = contact_force(features, radius.value(), call.law, call.dt, history);
+    PairContact contact = contact_force(features, radius.value(), call.law, call.dt, history);
+    contact.cores_met = found.overlaps && history.cores_met == 0;
+    if (found.overlaps) history.cores_met = 1;
     history.search = next_start(i, j, found);
     return contact;
 }

@@ -164,6 +164,7 @@ struct ConvexHistory {
     double stiffness = 0.0;         ///< of the spring in the step before [N/m]
     double twist_stiffness = 0.0;   ///< [N m]
     SearchStart search;             ///< where the search for the distance starts
+    std::uint64_t cores_met = 0;    ///< whether the cores have overlapped in this contact
 };
 static_assert(std::is_trivially_copyable_v<ConvexHistory>);
 

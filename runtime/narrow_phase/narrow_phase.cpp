@@ -103,6 +103,7 @@ struct Worker {
     ContactScratch& scratch;
     ConvexScratch& convex;
     LargestOverlap largest{};
+    std::uint64_t cores_met = 0;
 
     // Distance of a pair that does not touch, at least; <= 0 when nothing is known [m].
     template <class A, class B>
@@ -148,6 +149,7 @@ struct Worker {
             contact.force,          contact.torque_i,          contact.torque_j,
             contact.elastic_energy, contact.dissipated_energy, partner.work(pair, contact, dt)};
         list.quiet_until[k] = List::never_quiet;
+        if (contact.cores_met) ++cores_met;
         if (is_new) changes.begun.push_back({k, fresh});
         const double relative = contact.overlap / partner.smaller_radius(ids);
         if (relative > largest.relative) largest = {relative, ids, Partner::is_wall};
@@ -174,6 +176,7 @@ void compute_list(List& list, NeighborLists& lists, const Partner& partner, doub
         for (std::uint32_t k = 0; k < size; ++k) worker.compute(k);
         LargestOverlap& largest = scratch.threads[thread].largest;
         if (worker.largest.relative > largest.relative) largest = worker.largest;
+        scratch.threads[thread].cores_met += worker.cores_met;
     }
     // Threads took rising parts of the list, so this is the order of the list for any number.
     const auto mark = [&](const IdPair& ids) {
@@ -217,7 +220,10 @@ NarrowPhaseScratch make_scratch(const Scene& scene) {
 
 LargestOverlap compute_contacts(NeighborLists& lists, const Bodies& bodies, double dt,
                                 NarrowPhaseScratch& scratch) {
-    for (auto& thread : scratch.threads) thread.largest = {};
+    for (auto& thread : scratch.threads) {
+        thread.largest = {};
+        thread.cores_met = 0;
+    }
     const ParticlePartner particle{bodies, scratch.equivalent_radius};
     const WallPartner wall{bodies, scratch.equivalent_radius};
     std::apply([&](auto&... list) { (compute_list(list, lists, particle, dt, scratch), ...); },
@@ -226,8 +232,10 @@ LargestOverlap compute_contacts(NeighborLists& lists, const Bodies& bodies, doub
                lists.walls);
 
     LargestOverlap largest;
+    scratch.cores_met = 0;
     for (const auto& thread : scratch.threads) {
         if (thread.largest.relative > largest.relative) largest = thread.largest;
+        scratch.cores_met += thread.cores_met;
     }
     return largest;
 }

@@ -19,12 +19,15 @@ struct LargestOverlap {
 struct NarrowPhaseScratch {
     struct Thread {
         LargestOverlap largest;
+        std::uint64_t cores_met = 0;
         ContactScratch points;
         ConvexScratch convex;
     };
     std::vector<Thread> threads;
     std::vector<double> equivalent_radius;  ///< per kind [m]
     std::uint32_t parallel_pairs = 0;       ///< RunSettings::parallel_pairs
+    std::uint64_t cores_met = 0;  ///< contacts in which the cores of convex bodies have come to
+                                  ///< overlap, in the last call
 };
 
 /// For the number of threads in force now (omp_set_num_threads).

@@ -206,6 +206,7 @@ void Outputs::finish(const Simulation& simulation, const RunResult& result) {
                        .time_step = result.time_step,
                        .particles = result.particles,
                        .missing = {},
+                       .core_overlaps = result.core_overlaps,
                        .wall_time = result.wall_time,
                        .microseconds_per_particle_step = result.microseconds_per_particle_step,
                        .threads = omp_get_max_threads(),

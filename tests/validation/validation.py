@@ -23,12 +23,13 @@ WORK = ROOT / "build/validation"
 PAGES = ROOT / "docs/validation"
 
 
-def cook(profile, *options):
-    """Cooks a profile text (or the name of one in data/profiles) and returns the template's path."""
+def cook(profile, *options, suffix="profile"):
+    """Cooks the text of a profile or, by its suffix, of a .convex file (or the name of a profile in data/profiles) and returns the
+    template's path."""
     WORK.mkdir(parents=True, exist_ok=True)
     if "\n" in profile:
         name = f"inline_{abs(hash_text(profile + ' '.join(options))):x}"
-        source = WORK / f"{name}.profile"
+        source = WORK / f"{name}.{suffix}"
         source.write_text(profile)
     else:
         source = ROOT / f"data/profiles/{profile}.profile"

@@ -136,8 +136,8 @@ ParticleTemplate sand_grain(double size, std::uint32_t corners, std::uint64_t se
     Random random(seed, corners);
     std::vector<Vec3> points;
     for (std::uint32_t k = 0; k < corners; ++k)
-        points.emplace_back(0.5 * size * random.direction().cwiseProduct(Vec3(1.0, 1.2, 0.8)));
-    return convex(make_convex_polyhedron(points, 0.01 * size));
+        points.emplace_back(0.49 * size * random.direction().cwiseProduct(Vec3(1.0, 1.2, 0.8)));
+    return convex(with_mass_properties(rounded_around(convex_hull(points), 0.01 * size)));
 }
 
 InsertionGroup placed(std::vector<BodyPlacement> placements) {

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One hundred cubes, one above the other, dropped from small gaps ([GC] Sec. 5.3), and houses of cards."""
+import numpy as np
+
+from validation import Page, Run, cook, plt, write_bodies
+
+EDGE, COUNT, STIFFNESS, DENSITY, GRAVITY = 0.01, 100, 1e5, 1000.0, 9.81
+
+CASE = """
+[run]
+end_time = {end} s
+time_step_divisor = 10
+[material.stuff]
+density = 1000
+youngs_modulus = 50 MPa
+poissons_ratio = 0.3
+[contact]
+model = linear
+normal_stiffness = {stiffness}
+restitution = 0.5
+tangential_restitution = 0.6
+friction = {friction}
+{bodies}
+[wall.floor]
+shape = plane
+point = 0 0 0
+normal = 0 0 1
+material = stuff
+[output]
+frames_every = 20 ms
+"""
+
+
+def group(name, template, rows):
+    return f"[particles.{name}]\ntemplate = {template}\nmaterial = stuff\ninsert = file\nfile = {write_bodies(name, rows)}\n"
+
+
+def yaw(angle):
+    return {"qw": np.cos(angle / 2), "qz": np.sin(angle / 2)}
+
+
+def pitch(angle):
+    return {"qw": np.cos(angle / 2), "qy": np.sin(angle / 2)}
+
+
+def stack():
+    random = np.random.default_rng(1)
+    template = cook("units = mm\nshape = cuboid\nlength = 10\nwidth = 10\nheight = 10\nrounding = 0.2\n", suffix="convex")
+    z = EDGE * (np.arange(COUNT) + 0.5) + np.cumsum(random.uniform(2e-6, 2e-5, COUNT))
+    bodies = group("cubes", template, [{"z": h, **yaw(a)} for h, a in zip(z, random.uniform(-0.02, 0.02, COUNT))])
+    return Run("cuboid_stack", CASE.format(end=10, stiffness=STIFFNESS, friction=0.3, bodies=bodies), "--threads", "1",
+               reuse=True)
+
+
+def report_stack(page):
+    run = stack()
+    times, frames = run.frames()
+    order = np.argsort(frames["id"][-1])
+    position = frames["position"][:, order]
+    weight = DENSITY * EDGE**3 * GRAVITY
+    # Each contact is compressed by what stands on it.
+    place = EDGE * (np.arange(COUNT) + 0.5) - np.cumsum(weight * (COUNT - np.arange(COUNT))) / STIFFNESS
+    off = np.hypot(np.hypot(position[:, :, 0], position[:, :, 1]), position[:, :, 2] - place) / EDGE
+    sideways = np.hypot(position[:, :, 0], position[:, :, 1]).max(axis=1) / EDGE
+    vertical = abs(frames["velocity"][-1, :, 2]).max()
+    sway = np.linalg.norm(frames["velocity"][:, :, :2], axis=2).max(axis=1)
+    page.claim(f"after 10 s every center is within 1 % of an edge of its place ({100 * off[-1].max():.3f} %)",
+               off[-1].max() < 0.01)
+    page.claim(f"vertical velocities are below 1e-6 m/s ({vertical:.1e})", vertical < 1e-6)
+    early, late = (sway[(times > a) & (times <= b)].max() for a, b in ((1, 3), (8, 10)))
+    page.claim(f"the sway decays: largest horizontal velocity {early:.1e} m/s in seconds 1 to 3, {late:.1e} in the last two",
+               late < early)
+    figure, axes = plt.subplots(1, 2, figsize=(8, 3.4), layout="constrained")
+    axes[0].semilogy(times, sway, label="horizontal")
+    axes[0].semilogy(times, abs(frames["velocity"][:, :, 2]).max(axis=1), label="vertical")
+    axes[0].set(xlabel="time [s]", ylabel="largest velocity [m/s]")
+    axes[0].legend()
+    axes[1].plot(times, 100 * sideways)
+    axes[1].set(xlabel="time [s]", ylabel="largest sideways offset [% of an edge]")
+    page.plot(figure, "", "One hundred cubes: velocities and sideways offset")
+    page.text(f"Time step {run.summary['time_step']:.2e} s; {run.summary['microseconds_per_particle_step']:.2f} us per particle and "
+              f"step (wall, on a busy machine); cores overlapped in {run.summary.get('core_overlaps', 0)} contacts.")
+
+
+def columns():
+    """Two storeys: two cylinders and a slab each."""
+    column = cook("units = mm\nshape = cylinder\ndiameter = 6\nheight = 20\nrounding = 0.1\n", suffix="convex")
+    slab = cook("units = mm\nshape = cuboid\nlength = 40\nwidth = 10\nheight = 3\nrounding = 0.06\n", suffix="convex")
+    storey = 0.02301
+    posts = [{"x": x, "z": 0.010005 + k * storey} for k in range(2) for x in (-0.012, 0.012)]
+    slabs = [{"z": 0.02151 + k * storey} for k in range(2)]
+    return group("columns", column, posts) + group("slabs", slab, slabs)
+
+
+def cards():
+    """Three pairs of leaning cards side by side under a row of two."""
+    card = cook("units = mm\nshape = cuboid\nlength = 1\nwidth = 15\nheight = 25\nrounding = 0.1\n", suffix="convex")
+    lean, height, thick = np.radians(20), 0.025, 0.001
+    across, up = 0.5 * height * np.sin(lean) + 0.5 * thick * np.cos(lean), 0.5 * (height * np.cos(lean) + thick * np.sin(lean))
+    return group("cards", card, [{"x": -across - 1e-6, "z": up + 1e-6, **pitch(lean)}, {"x": across + 1e-6, "z": up + 1e-6, **pitch(-lean)}])
+
+
+def report_houses(page):
+    rows = []
+    for name, bodies, friction in (("two storeys of cylinders and slabs", columns, 0.3), ("two leaning cards", cards, 0.6)):
+        run = Run("house_" + name.split()[-1], CASE.format(end=2, stiffness=STIFFNESS, friction=friction, bodies=bodies()),
+                  "--threads", "1", reuse=True)
+        times, frames = run.frames()
+        moved = np.linalg.norm(frames["position"][-1] - frames["position"][0], axis=1).max()
+        fastest = np.linalg.norm(frames["velocity"][-1], axis=1).max()
+        rows.append([name, frames["position"].shape[1], f"{1e6 * moved:.1f}", f"{fastest:.1e}"])
+        page.claim(f"{name}: stands after 2 s (moved by at most {1e6 * moved:.0f} um)", moved < 2e-4)
+    page.table(["house", "bodies", "largest displacement [um]", "fastest after 2 s [m/s]"], rows)
+
+
+def main():
+    page = Page("cuboid_stack", "A stack of one hundred cubes, houses of cards")
+    page.text("Cubes of 10 mm, rounded by 2 %, gaps of 2 to 20 um, turned by up to 1.1 degrees against each other; linear law, k_n = 1e5 "
+              "N/m, e_n = 0.5, friction 0.3. The place of a cube is where it stands when every contact is compressed by the weight "
+              "above it.")
+    report_stack(page)
+    page.text("## Houses")
+    report_houses(page)
+    return page.finish()
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
