@@ -37,6 +37,7 @@ def plot(page, features, centroid):
     for fraction, color in (("1000", "C0"), ("100", "C2")):
         axes.axhline(LIMITS[fraction], color=color, lw=1, ls="--")
     axes.set_xticks(places, [c.replace(" - ", " -\n") for c in PAPER], rotation=30)
+    axes.set_ylim(top=50.0)
     axes.set_ylabel("mean |E / E0 - 1|")
     axes.legend(fontsize=7, ncol=2)
     page.plot(figure, "", "Mean relative error of the kinetic energy over a frictionless elastic collision; dashed: the aims")
@@ -68,24 +69,24 @@ def main():
                 page.shortfall(f"{statement}; above it: {', '.join(above)}", not above)
             else:
                 page.claim(statement, not above)
-    page.text("\nA cube on the end of a cylinder: the deepest point of the rim jumps from one arc of the rim under the face to another, and the force "
-              "with it. The energy that this costs falls with the time step.\n\n## The same by the rule of [GC], `contact = centroid`")
+    page.text("\nThe exception is a cube nearly parallel to the end of a cylinder. Its mean error falls with the time step, its largest hardly "
+              "does: the force of that pair is not the gradient of one energy everywhere. Which of its features is to blame is not known."
+              "\n\n## The same by the rule of [GC], `contact = centroid`")
     page.table(["pair", "random, t_c/1000", "near-parallel, t_c/1000"],
                [[c, *(f"{value(centroid, c, a, '1000'):.1e} ({value(centroid, c, a, '1000', 'worst'):.1e})"
                       for a in ("random", "parallel"))] for c in PAPER])
     plot(page, features, centroid)
     page.text("## The measure of [GC] Table 6\n\nWhat the tangential springs still hold in the last step of a contact, over the kinetic energy "
-              "before it: e_n = e_t = 1, random attitudes, velocities and spins, t_c/1000. The paper does not say which friction it used. With "
-              "that of its packings (0.1, Table 7) the spring slips as the normal force ends and holds nothing. A friction without limit shows "
-              "what an off-center contact leaves: its normal force ends after the time of the effective mass at the contact point, "
-              "and the tangential spring of [GC] Eq. 13 swings with the mean one.")
+              "before it: e_n = e_t = 1, random attitudes, velocities and spins, t_c/1000. The paper measures it without "
+              "Coulomb friction, which is read here as friction without limit. Off-center contacts then leave much in the spring: the normal force ends "
+              "after the time of the effective mass at the contact point, and the tangential spring of [GC] Eq. 13 swings with a mean "
+              "one. With the friction of the packings (0.1, [GC] Table 7) the spring slips as the normal force ends and holds nothing; what "
+              "slipping dissipates is not counted in this measure.")
     share = {mu: {c: 100 * value(features, c, "random", "1000", "spring_share", mu) for c in PAPER} for mu in ("0.1", "1e+09")}
     page.table(["pair", "friction 0.1 [%]", "friction without limit [%]", "[GC] [%]"],
                [[c, f"{share['0.1'][c]:.1e}", f"{share['1e+09'][c]:.2f}", PAPER[c]] for c in PAPER])
-    above = {mu: [c for c in PAPER if share[mu][c] >= PAPER[c]] for mu in share}
-    page.claim("friction 0.1: below the paper's value for every pair" + (f"; not for {', '.join(above['0.1'])}" if above["0.1"] else ""),
-               not above["0.1"])
-    page.shortfall("friction without limit: below the paper's value for every pair; not for " + ", ".join(above["1e+09"]), not above["1e+09"])
+    above = [c for c in PAPER if share["1e+09"][c] >= PAPER[c]]
+    page.shortfall("friction without limit: below the paper's value for every pair; not for " + ", ".join(above), not above)
     return page.finish()
 
 

@@ -64,12 +64,15 @@ def report_stack(page):
     sideways = np.hypot(position[:, :, 0], position[:, :, 1]).max(axis=1) / EDGE
     vertical = abs(frames["velocity"][-1, :, 2]).max()
     sway = np.linalg.norm(frames["velocity"][:, :, :2], axis=2).max(axis=1)
-    page.claim(f"after 10 s every center is within 1 % of an edge of its place ({100 * off[-1].max():.3f} %)",
+    seconds = f"{times[-1]:.1f} s"
+    page.claim(f"after {seconds} every center is within 1 % of an edge of its place ({100 * off[-1].max():.3f} %)",
                off[-1].max() < 0.01)
-    page.claim(f"vertical velocities are below 1e-6 m/s ({vertical:.1e})", vertical < 1e-6)
-    early, late = (sway[(times > a) & (times <= b)].max() for a, b in ((1, 3), (8, 10)))
-    page.claim(f"the sway decays: largest horizontal velocity {early:.1e} m/s in seconds 1 to 3, {late:.1e} in the last two",
+    page.shortfall(f"vertical velocities are below 1e-6 m/s ({vertical:.1e})", vertical < 1e-6)
+    early, late = (sway[(times > a) & (times <= b)].max() for a, b in ((1, 2), (times[-1] - 1, times[-1])))
+    page.shortfall(f"the sway decays: largest horizontal velocity {early:.1e} m/s in the second second, {late:.1e} in the last",
                late < early)
+    if times[-1] < 9.99:
+        page.shortfall(f"simulated for 10 s (this run was stopped after {seconds})", False)
     figure, axes = plt.subplots(1, 2, figsize=(8, 3.4), layout="constrained")
     axes[0].semilogy(times, sway, label="horizontal")
     axes[0].semilogy(times, abs(frames["velocity"][:, :, 2]).max(axis=1), label="vertical")
@@ -93,11 +96,11 @@ def columns():
 
 
 def cards():
-    """Three pairs of leaning cards side by side under a row of two."""
+    """Two cards that lean against each other."""
     card = cook("units = mm\nshape = cuboid\nlength = 1\nwidth = 15\nheight = 25\nrounding = 0.1\n", suffix="convex")
     lean, height, thick = np.radians(20), 0.025, 0.001
     across, up = 0.5 * height * np.sin(lean) + 0.5 * thick * np.cos(lean), 0.5 * (height * np.cos(lean) + thick * np.sin(lean))
-    return group("cards", card, [{"x": -across - 1e-6, "z": up + 1e-6, **pitch(lean)}, {"x": across + 1e-6, "z": up + 1e-6, **pitch(-lean)}])
+    return group("cards", card, [{"x": side * (across + 1e-6), "z": up + 1e-6, **pitch(-side * lean)} for side in (-1, 1)])
 
 
 def report_houses(page):
@@ -110,6 +113,7 @@ def report_houses(page):
         fastest = np.linalg.norm(frames["velocity"][-1], axis=1).max()
         rows.append([name, frames["position"].shape[1], f"{1e6 * moved:.1f}", f"{fastest:.1e}"])
         page.claim(f"{name}: stands after 2 s (moved by at most {1e6 * moved:.0f} um)", moved < 2e-4)
+    page.text("")
     page.table(["house", "bodies", "largest displacement [um]", "fastest after 2 s [m/s]"], rows)
 
 
@@ -119,6 +123,9 @@ def main():
               "N/m, e_n = 0.5, friction 0.3. The place of a cube is where it stands when every contact is compressed by the weight "
               "above it.")
     report_stack(page)
+    page.text("Contacts damp a long wave hardly: a chain of 100 equal springs and dashpots rings in its lowest mode with w_1 = pi/200 "
+              "sqrt(k_n/m) = 157 1/s, a period of 40 ms (two frames, hence the slow beat in the plot), and loses it with the time constant 2 k_n / "
+              "(eta_n w_1^2) = 2.7 s, so that 1e-6 m/s takes more than 30 s. Why the sway does not decay has not been found out.")
     page.text("## Houses")
     report_houses(page)
     return page.finish()
