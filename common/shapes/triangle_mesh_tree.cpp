@@ -152,7 +152,11 @@ TriangleMeshTree::TriangleMeshTree(const TriangleMesh& mesh) {
     rounding_ = 32.0 * std::numeric_limits<double>::epsilon() * extent;
 }
 
-SurfacePoint TriangleMeshTree::nearest(const Vec3& p) const {
+/// Boxes nearer to probe.center than the square root of probe.limit are opened, the nearest ones
+/// first, and their triangles shown to the probe, which may move and shrink on the way as long as
+/// it never reaches to where it did not before.
+template <class Probe>
+void TriangleMeshTree::search(Probe& probe) const {
     struct Entry {
         double squared;
         std::uint32_t node;
@@ -160,18 +164,15 @@ SurfacePoint TriangleMeshTree::nearest(const Vec3& p) const {
     std::array<Entry, largest_stack> stack;
     std::size_t size = 0;
     stack[size++] = {0.0, 0};
-    SurfacePoint best;
-    double best_squared = infinity;
-    double limit = infinity;  // squared; boxes beyond it hold nothing nearer
     while (size > 0) {
         const Entry entry = stack[--size];
-        if (entry.squared > limit) continue;
+        if (Probe::stands_still && entry.squared > probe.limit) continue;
         const Node& node = nodes_[entry.node];
         std::array<double, width> squared;
         for (std::size_t k = 0; k < width; ++k) {
             double sum = 0.0;
             for (std::size_t c = 0; c < 3; ++c) {
-                const double x = p[static_cast<Eigen::Index>(c)];
+                const double x = probe.center[static_cast<Eigen::Index>(c)];
                 const double gap =
                     std::max(std::max(node.lower[c][k] - x, x - node.upper[c][k]), 0.0);
                 sum += gap * gap;
@@ -180,7 +181,7 @@ SurfacePoint TriangleMeshTree::nearest(const Vec3& p) const {
         }
         const std::size_t bottom = size;
         for (std::size_t k = 0; k < width; ++k) {
-            if (squared[k] > limit || squared[k] == infinity) continue;
+            if (squared[k] > probe.limit || squared[k] == infinity) continue;
             if (node.count[k] == 0) {
                 // Kept in falling order, so that the nearest child is the next to come.
                 std::size_t at = size++;
@@ -189,18 +190,69 @@ SurfacePoint TriangleMeshTree::nearest(const Vec3& p) const {
                 stack[at] = {squared[k], node.first[k]};
                 continue;
             }
-            for (const Triangle& t : std::span(triangles_).subspan(node.first[k], node.count[k])) {
-                const Candidate candidate = nearest_on(t, p);
-                if (candidate.squared > best_squared ||
-                    (candidate.squared == best_squared && t.index > best.triangle))
-                    continue;
-                best_squared = candidate.squared;
-                best = {p + candidate.offset, std::sqrt(best_squared), t.index};
-                limit = square(best.distance + rounding_) * (1.0 + 1e-14);
-            }
+            for (const Triangle& t : std::span(triangles_).subspan(node.first[k], node.count[k]))
+                probe.meet(t);
         }
     }
-    return best;
+}
+
+/// Keeps the nearest point of the triangles it meets.
+struct TriangleMeshTree::Nearest {
+    static constexpr bool stands_still = true;
+    Vec3 center;
+    double rounding;
+    double limit;  ///< squared
+    SurfacePoint best{Vec3::Zero(), infinity, 0};
+    double best_squared = infinity;
+
+    void meet(const Triangle& t) {
+        const Candidate candidate = nearest_on(t, center);
+        if (candidate.squared > best_squared ||
+            (candidate.squared == best_squared && t.index > best.triangle))
+            return;
+        best_squared = candidate.squared;
+        best = {center + candidate.offset, std::sqrt(best_squared), t.index};
+        limit = std::min(limit, square(best.distance + rounding) * (1.0 + 1e-14));
+    }
+};
+
+SurfacePoint TriangleMeshTree::nearest(const Vec3& p, double within) const {
+    Nearest probe{p, rounding_, square(within + rounding_) * (1.0 + 1e-14)};
+    search(probe);
+    return probe.best;
+}
+
+/// A ball that touches the surface at q and shrinks until it holds none of the triangles it meets.
+struct TriangleMeshTree::TangentBall {
+    static constexpr bool stands_still = false;
+    const Vec3& q;
+    const Vec3& inward;
+    double touching;
+    double radius;
+    Vec3 center = q + radius * inward;
+    double limit = square(radius * (1.0 - touching));
+
+    void meet(const Triangle& t) {
+        // The nearest point is not that which shrinks the ball most: a few rounds.
+        for (;;) {
+            const Candidate candidate = nearest_on(t, center);
+            if (candidate.squared >= limit) return;
+            const Vec3 way = center + candidate.offset - q;
+            const double along = way.dot(inward);
+            const double next = along > 0.0 ? 0.5 * way.squaredNorm() / along : 0.0;
+            // Rounding near q may leave no ball at all.
+            radius = next < radius ? next : 0.0;
+            center = q + radius * inward;
+            limit = square(radius * (1.0 - touching));
+        }
+    }
+};
+
+double TriangleMeshTree::tangent_radius(const Vec3& q, const Vec3& inward, double largest,
+                                        double touching) const {
+    TangentBall ball{q, inward, touching, largest};
+    search(ball);
+    return ball.radius;
 }
 
 }  // namespace dem

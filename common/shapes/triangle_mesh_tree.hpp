@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -28,7 +29,16 @@ class TriangleMeshTree {
 
     /// The point of the surface nearest to p; of equally near triangles the one with the lowest
     /// index. The same bits as a loop over all triangles. Thin triangles are as exact as others.
-    SurfacePoint nearest(const Vec3& p) const;
+    /// Whoever knows that the surface is `within` a distance [m] is answered sooner; where it is
+    /// not, the distance given is infinite or larger than that.
+    SurfacePoint nearest(const Vec3& p,
+                         double within = std::numeric_limits<double>::infinity()) const;
+
+    /// Radius [m] of the largest ball, of those up to `largest`, that touches the surface at q,
+    /// `inward` being the unit vector from there to its center, and that holds nothing of the
+    /// surface once it is smaller by the part `touching`: it shrinks on its way through the tree
+    /// (after Ma, Bae, Choi 2012). 0 where rounding leaves no ball.
+    double tangent_radius(const Vec3& q, const Vec3& inward, double largest, double touching) const;
 
     /// Calls visit(triangle index) for each triangle whose box meets the ray from p along +z.
     template <class Visit>
@@ -56,6 +66,11 @@ class TriangleMeshTree {
         double squared;
     };
     struct Builder;
+    struct Nearest;
+    struct TangentBall;
+
+    template <class Probe>
+    void search(Probe& probe) const;
 
     static Candidate nearest_on(const Triangle& triangle, const Vec3& p);
 

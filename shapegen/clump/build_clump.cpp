@@ -70,7 +70,7 @@ BuiltClump ClumpMaker::Impl::finished(const CoverSearch& search) {
     result.ceiling = pool_.ceiling();
     if (!options_.is_inscribed) {
         say(0.7, "fitting");
-        const std::size_t count = std::max<std::size_t>(20'000, 60 * result.balls.size());
+        const std::size_t count = std::max<std::size_t>(20'000, 45 * result.balls.size());
         const auto samples = surface_samples(surface_.mesh(), count);
         const FitOptions fitting{options_.protrusion * d_eq_, options_.min_radius * d_eq_, 40};
         fit(surface_, samples, fitting, result.balls);

@@ -11,6 +11,7 @@ CandidatePool::CandidatePool(const SurfaceQuery& surface, double volume, const V
     : surface_(surface),
       covered_(cells),
       options_(options),
+      close_(0.02 * voxel_spacing(volume, options.per_diameter)),
       seeds_(static_cast<std::size_t>(0.5 * square(options.per_diameter))),
       most_seeds_(16 * seeds_) {
     const VoxelImage image = voxelize(surface.mesh(), voxel_spacing(volume, options.per_diameter));
@@ -19,7 +20,7 @@ CandidatePool::CandidatePool(const SurfaceQuery& surface, double volume, const V
 
 bool CandidatePool::extend() {
     if (seeds_ > most_seeds_) return false;
-    append(surface_seeded_balls(surface_, seeds_, options_.min_radius));
+    append(surface_seeded_balls(surface_, seeds_, balls_, close_, options_.min_radius));
     seeds_ *= 4;
     return true;
 }

@@ -43,6 +43,7 @@ class CandidatePool {
     const SurfaceQuery& surface_;
     CellCover covered_;  ///< by all candidates
     CandidateOptions options_;
+    double close_;  ///< a point is known to a ball that passes it like that [m]
     std::size_t seeds_, most_seeds_;
     std::vector<Ball> balls_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/clump/candidates.hpp"
 
+#include "shapegen/clump/ball_tree.hpp"
 #include "shapegen/clump/surface_samples.hpp"
 
 #include <algorithm>
@@ -28,21 +29,11 @@ std::vector<Ball> collect(std::size_t count, double min_radius, const Make& make
 
 std::optional<Ball> maximal_ball(const SurfaceQuery& surface, const Vec3& q, const Vec3& inward,
                                  double largest) {
-    constexpr double touching = 1e-7;  // relative: what remains to gain is below any cell
-    constexpr int most_steps = 100;    // about 5 are usual
-    double radius = largest;
-    for (int step = 0; step < most_steps; ++step) {
-        const Vec3 center = q + radius * inward;
-        const SurfacePoint near = surface.nearest(center);
-        if (near.distance >= radius * (1.0 - touching)) return Ball{center, near.distance};
-        const Vec3 way = near.point - q;
-        const double along = way.dot(inward);
-        if (!(along > 0.0)) return std::nullopt;
-        const double next = 0.5 * way.squaredNorm() / along;
-        if (!(next < radius)) return std::nullopt;
-        radius = next;
-    }
-    return std::nullopt;
+    constexpr double touching = 1e-4;  // relative: what remains to gain is below any cell
+    const double radius = surface.tangent_radius(q, inward, largest, touching);
+    if (!(radius > 0.0)) return std::nullopt;
+    const Vec3 center = q + radius * inward;
+    return Ball{center, surface.nearest(center, radius).distance};
 }
 
 std::vector<Ball> skeletal_balls(const SurfaceQuery& surface, const VoxelImage& image,
@@ -55,16 +46,27 @@ std::vector<Ball> skeletal_balls(const SurfaceQuery& surface, const VoxelImage& 
         const SurfacePoint near = surface.nearest(center);
         if (near.distance == 0.0) return Ball{};
         const Vec3 inward = (center - near.point) / near.distance;
+        // Mostly not much is left to grow, and a smaller ball is shrunk sooner.
+        double enough = 1.5 * near.distance + image.grid().spacing;
+        for (; enough < largest; enough *= 2.0) {
+            const auto ball = maximal_ball(surface, near.point, inward, enough);
+            if (!ball || ball->radius < 0.999 * enough)
+                return ball.value_or(Ball{center, near.distance});
+        }
         return maximal_ball(surface, near.point, inward, largest)
             .value_or(Ball{center, near.distance});
     });
 }
 
 std::vector<Ball> surface_seeded_balls(const SurfaceQuery& surface, std::size_t count,
+                                       std::span<const Ball> known, double close,
                                        double min_radius) {
     const std::vector<SurfaceSample> samples = surface_samples(surface.mesh(), count);
     const double largest = largest_radius(surface);
+    std::optional<BallTree> tree;
+    if (!known.empty()) tree.emplace(known);
     return collect(samples.size(), min_radius, [&](std::size_t i) {
+        if (tree && tree->nearest(samples[i].point).distance < close) return Ball{};
         return maximal_ball(surface, samples[i].point, -samples[i].normal, largest)
             .value_or(Ball{});
     });

@@ -6,13 +6,15 @@
 #include "shapegen/thinning/thin.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace dem {
 
 /// The largest ball inside the solid that touches its surface at q, `inward` being the unit vector
 /// from there to the center: it shrinks from `largest` [m] until no second point of the surface is
-/// inside (Ma, Bae, Choi 2012). The radius is the exact distance of the center to the surface.
+/// inside by more than 1e-4 of its radius (Ma, Bae, Choi 2012). The radius is then the exact
+/// distance of the center to the surface.
 /// Empty when rounding leaves no ball.
 std::optional<Ball> maximal_ball(const SurfaceQuery& surface, const Vec3& q, const Vec3& inward,
                                  double largest);
@@ -23,9 +25,11 @@ std::optional<Ball> maximal_ball(const SurfaceQuery& surface, const Vec3& q, con
 std::vector<Ball> skeletal_balls(const SurfaceQuery& surface, const VoxelImage& image,
                                  Skeleton kind, double min_radius);
 
-/// The largest balls that touch the surface at `count` evenly spread points: they reach where the
-/// skeleton of voxels does not.
+/// The largest balls that touch the surface at `count` evenly spread points, those left out that
+/// one of the `known` balls passes by less than `close` [m]: they reach where the skeleton of
+/// voxels does not.
 std::vector<Ball> surface_seeded_balls(const SurfaceQuery& surface, std::size_t count,
+                                       std::span<const Ball> known, double close,
                                        double min_radius);
 
 }  // namespace dem

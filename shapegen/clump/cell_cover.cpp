@@ -6,35 +6,71 @@
 #include <bit>
 #include <cmath>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 namespace dem {
 namespace {
 
 constexpr int edge = 4;  // cells of a brick
 constexpr int brick_cells = edge * edge * edge;
 
-/// Bricks that a ball reaches along one axis, and squared distances of their cells' centers from
-/// the ball's center, in cells.
-struct AxisReach {
-    int first, last;  ///< bricks, one past the last
-    std::vector<std::array<double, edge>> squares;
-    std::vector<double> least, most;  ///< of the squares of a brick
+/// Squared distances of the cells of a row of four, one cell apart, from a point; `first` is the
+/// offset of the first one, all in cells.
+struct CellSquares {
+    std::array<double, edge> values;
+    double least, most;
 
-    AxisReach(double center, double radius, int bricks) {
-        const double low = std::ceil((center - radius - (edge - 1)) / edge);
-        const double high = std::floor((center + radius) / edge) + 1.0;
-        first = static_cast<int>(std::clamp(low, 0.0, static_cast<double>(bricks)));
-        last = static_cast<int>(
-            std::clamp(high, static_cast<double>(first), static_cast<double>(bricks)));
-        for (int b = first; b < last; ++b) {
-            std::array<double, edge> values{};
-            for (int i = 0; i < edge; ++i)
-                values[static_cast<std::size_t>(i)] = square(edge * b + i - center);
-            squares.push_back(values);
-            most.push_back(std::max(values.front(), values.back()));
-            least.push_back(*std::min_element(values.begin(), values.end()));
-        }
+    explicit CellSquares(double first) {
+        for (int i = 0; i < edge; ++i) values[static_cast<std::size_t>(i)] = square(first + i);
+        least = *std::min_element(values.begin(), values.end());
+        most = std::max(values.front(), values.back());
     }
 };
+
+/// A range of bricks along an axis, one past the last.
+struct BrickRange {
+    int first, last;
+};
+
+/// The bricks that have a cell within `half` cells of a point, or all of them.
+BrickRange bricks_with_any(double center, double half, int bricks) {
+    const double low = std::ceil((center - half - (edge - 1)) / edge);
+    const double high = std::floor((center + half) / edge) + 1.0;
+    const auto clamped = [bricks](double x) {
+        return static_cast<int>(std::clamp(x, 0.0, static_cast<double>(bricks)));
+    };
+    return {clamped(low), std::max(clamped(high), clamped(low))};
+}
+BrickRange bricks_with_all(double center, double half, const BrickRange& any) {
+    const auto clamped = [&any](double x) {
+        return static_cast<int>(
+            std::clamp(x, static_cast<double>(any.first), static_cast<double>(any.last)));
+    };
+    const int first = clamped(std::ceil((center - half) / edge));
+    return {first, std::max(clamped(std::floor((center + half - (edge - 1)) / edge) + 1.0), first)};
+}
+
+/// Bits of the cells of a brick whose squared distance along x is at most what y and z leave.
+VoxelWord brick_mask(const std::array<float, edge * edge>& left, double first_x) {
+    const auto first = static_cast<float>(first_x);
+    VoxelWord mask = 0;
+#ifdef __SSE2__
+    const __m128 x = _mm_add_ps(_mm_set1_ps(first), _mm_setr_ps(0.0F, 1.0F, 2.0F, 3.0F));
+    const __m128 squares = _mm_mul_ps(x, x);
+    for (std::size_t n = edge * edge; n-- > 0;) {
+        const __m128 is_in = _mm_cmple_ps(squares, _mm_set1_ps(left[n]));
+        mask = mask << edge | static_cast<unsigned>(_mm_movemask_ps(is_in));
+    }
+#else
+    for (std::size_t n = edge * edge; n-- > 0;) {
+        for (int i = edge; i-- > 0;)
+            mask = mask << 1 | (square(first + static_cast<float>(i)) <= left[n] ? 1U : 0U);
+    }
+#endif
+    return mask;
+}
 
 }  // namespace
 
@@ -59,43 +95,41 @@ CellCover::CellCover(const VoxelImage& solid) : grid_(solid.grid()) {
     uncovered_count_ = cells_;
 }
 
-/// Calls visit(brick, mask()) for each brick with cells in the ball, in the order of the grid.
-/// mask() gives the bits of these cells, which is the costly part.
+/// Calls visit(brick, mask()) for each brick with cells in the ball, and some that just miss it, in
+/// the order of the grid. mask() gives the bits of these cells, which is the costly part.
 template <class Visit>
 void CellCover::visit_bricks(const Ball& ball, const Visit& visit) const {
     const Vec3 c = (ball.center - grid_.origin) / grid_.spacing;
     const double r = ball.radius / grid_.spacing;
     const double r2 = square(r);
-    const AxisReach x(c.x(), r, bricks_[0]);
-    const AxisReach y(c.y(), r, bricks_[1]);
-    const AxisReach z(c.z(), r, bricks_[2]);
-    const auto count = static_cast<std::size_t>(x.last - x.first);
-    for (std::size_t k = 0; k < z.least.size(); ++k) {
-        for (std::size_t j = 0; j < y.least.size(); ++j) {
-            const double least = z.least[k] + y.least[j];
-            const double most = z.most[k] + y.most[j];
+    const BrickRange layers = bricks_with_any(c.z(), r, bricks_[2]);
+    for (int k = layers.first; k < layers.last; ++k) {
+        const CellSquares z(edge * k - c.z());
+        if (z.least > r2) continue;
+        const BrickRange rows = bricks_with_any(c.y(), std::sqrt(r2 - z.least), bricks_[1]);
+        for (int j = rows.first; j < rows.last; ++j) {
+            const CellSquares y(edge * j - c.y());
+            const double least = z.least + y.least;
             if (least > r2) continue;
-            const std::size_t row = (static_cast<std::size_t>(z.first + static_cast<int>(k)) *
-                                         static_cast<std::size_t>(bricks_[1]) +
-                                     static_cast<std::size_t>(y.first + static_cast<int>(j))) *
-                                        static_cast<std::size_t>(bricks_[0]) +
-                                    static_cast<std::size_t>(x.first);
-            for (std::size_t i = 0; i < count; ++i) {
-                visit(row + i, [&]() -> VoxelWord {
-                    if (least + x.least[i] > r2) return 0;
-                    if (most + x.most[i] <= r2) return ~VoxelWord{0};
-                    VoxelWord mask = 0;
-                    for (int n = brick_cells - edge; n >= 0; n -= edge) {
-                        const double d2 = z.squares[k][static_cast<std::size_t>(n / 16)] +
-                                          y.squares[j][static_cast<std::size_t>(n / 4 % 4)];
-                        unsigned bits = 0;
-                        for (unsigned b = 0; b < edge; ++b)
-                            bits |= (d2 + x.squares[i][b] <= r2 ? 1U : 0U) << b;
-                        mask = mask << edge | bits;
-                    }
-                    return mask;
-                });
-            }
+            const BrickRange any = bricks_with_any(c.x(), std::sqrt(r2 - least), bricks_[0]);
+            const double most = z.most + y.most;
+            const BrickRange all = most > r2 ? BrickRange{any.last, any.last}
+                                             : bricks_with_all(c.x(), std::sqrt(r2 - most), any);
+            std::array<float, edge * edge> left;  // of the squared radius for x
+            for (std::size_t n = 0; n < left.size(); ++n)
+                left[n] = static_cast<float>(r2 - z.values[n / edge] - y.values[n % edge]);
+            const std::size_t row =
+                (static_cast<std::size_t>(k) * static_cast<std::size_t>(bricks_[1]) +
+                 static_cast<std::size_t>(j)) *
+                static_cast<std::size_t>(bricks_[0]);
+            const auto partial = [&](int i) {
+                visit(row + static_cast<std::size_t>(i),
+                      [&] { return brick_mask(left, edge * i - c.x()); });
+            };
+            for (int i = any.first; i < all.first; ++i) partial(i);
+            for (int i = all.first; i < all.last; ++i)
+                visit(row + static_cast<std::size_t>(i), [] { return ~VoxelWord{0}; });
+            for (int i = all.last; i < any.last; ++i) partial(i);
         }
     }
 }
@@ -112,27 +146,36 @@ std::size_t CellCover::gain(const Ball& ball) const {
 std::size_t CellCover::exclusive(const Ball& ball) const {
     std::size_t sum = 0;
     visit_bricks(ball, [&](std::size_t brick, const auto& mask) {
+        const unsigned whole = brick_counts_[brick];
+        if (solid_[brick] == 0 || whole > 1) return;
         const VoxelWord bits = mask();
-        const std::uint16_t* counts = counts_.data() + brick_cells * brick;
+        // The cells that no other ball counts: it counts itself either here or there.
+        const auto alone = static_cast<std::uint16_t>(bits == ~VoxelWord{0} ? 0 : 1);
+        if (whole + alone != 1) return;
+        const std::uint16_t* counts = cell_counts_.data() + brick_cells * brick;
         VoxelWord single = 0;
-        for (int n = 0; n < brick_cells; ++n) single |= static_cast<VoxelWord>(counts[n] == 1) << n;
+        for (int n = 0; n < brick_cells; ++n)
+            single |= static_cast<VoxelWord>(counts[n] == alone) << n;
         sum += static_cast<std::size_t>(std::popcount(single & bits & solid_[brick]));
     });
     return sum;
 }
 
 void CellCover::insert(const Ball& ball) {
-    if (counts_.empty()) counts_.assign(brick_cells * solid_.size(), 0);
+    if (brick_counts_.empty()) {
+        brick_counts_.assign(solid_.size(), 0);
+        cell_counts_.assign(brick_cells * solid_.size(), 0);
+    }
     mark(ball);
     visit_bricks(ball, [&](std::size_t brick, const auto& mask) {
+        if (solid_[brick] == 0) return;
         const VoxelWord bits = mask();
-        std::uint16_t* counts = counts_.data() + brick_cells * brick;
         if (bits == ~VoxelWord{0}) {
-            for (int n = 0; n < brick_cells; ++n) ++counts[n];
-        } else {
-            for (VoxelWord rest = bits; rest != 0; rest &= rest - 1)
-                ++counts[std::countr_zero(rest)];
+            ++brick_counts_[brick];
+            return;
         }
+        std::uint16_t* counts = cell_counts_.data() + brick_cells * brick;
+        for (VoxelWord rest = bits; rest != 0; rest &= rest - 1) ++counts[std::countr_zero(rest)];
     });
 }
 
@@ -149,14 +192,19 @@ void CellCover::mark(const Ball& ball) {
 template <class Visit>
 void CellCover::take_out(const Ball& ball, const Visit& visit) {
     visit_bricks(ball, [&](std::size_t brick, const auto& mask) {
+        if (solid_[brick] == 0) return;
         const VoxelWord bits = mask();
         if (bits == 0) return;
-        std::uint16_t* counts = counts_.data() + brick_cells * brick;
-        VoxelWord empty = 0;
-        for (int n = 0; n < brick_cells; ++n) {
-            counts[n] = static_cast<std::uint16_t>(counts[n] - (bits >> n & 1U));
-            empty |= static_cast<VoxelWord>(counts[n] == 0) << n;
+        std::uint16_t* counts = cell_counts_.data() + brick_cells * brick;
+        if (bits == ~VoxelWord{0}) {
+            --brick_counts_[brick];
+        } else {
+            for (VoxelWord rest = bits; rest != 0; rest &= rest - 1)
+                --counts[std::countr_zero(rest)];
         }
+        if (brick_counts_[brick] > 0) return;
+        VoxelWord empty = 0;
+        for (int n = 0; n < brick_cells; ++n) empty |= static_cast<VoxelWord>(counts[n] == 0) << n;
         // A ball may reach out of the solid.
         const VoxelWord left = empty & bits & solid_[brick];
         uncovered_[brick] |= left;

@@ -53,7 +53,9 @@ class CellCover {
     std::array<int, 3> bricks_{};  ///< along each axis
     std::vector<VoxelWord> solid_;
     std::vector<VoxelWord> uncovered_;
-    std::vector<std::uint16_t> counts_;  ///< of balls per cell, from the first one inserted on
+    /// Of balls, from the first one inserted on: those that hold a whole brick, and, cell by cell,
+    /// the others.
+    std::vector<std::uint16_t> brick_counts_, cell_counts_;
     std::size_t cells_ = 0;
     std::size_t uncovered_count_ = 0;
 };

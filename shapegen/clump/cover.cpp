@@ -84,17 +84,20 @@ void CoverSearch::drop(std::span<const Ball> candidates, double coverage) {
 }
 
 void CoverSearch::reach(std::span<const Ball> candidates, const CoverGoal& goal, int sweeps) {
-    const std::size_t before = chosen_.size();
+    const std::size_t known = chosen_.size();
     cover_greedily(candidates, goal, cover_, chosen_);
-    for (std::size_t i = before; i < chosen_.size(); ++i) exchange_.note(candidates[chosen_[i]]);
+    for (std::size_t i = known; i < chosen_.size(); ++i) exchange_.note(candidates[chosen_[i]]);
     const bool wants_coverage = cover_.coverage() >= goal.coverage;
     if (wants_coverage) drop(candidates, goal.coverage);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         const std::size_t uncovered = cover_.uncovered();
+        const std::size_t before = chosen_.size();
         const std::size_t exchanged = exchange_.sweep(candidates, chosen_);
-        const std::size_t count = chosen_.size();
         if (wants_coverage) drop(candidates, goal.coverage);
-        const bool helped = chosen_.size() < count || cover_.uncovered() < uncovered;
+        // The last percent is not worth the time.
+        const bool helped =
+            static_cast<double>(chosen_.size()) < 0.99 * static_cast<double>(before) ||
+            static_cast<double>(cover_.uncovered()) < 0.99 * static_cast<double>(uncovered);
         if (exchanged == 0 || !helped) break;
     }
 }

@@ -2,6 +2,7 @@
 #include "shapegen/clump/exchange.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dem {
 
@@ -12,7 +13,16 @@ class Exchange::Gap {
     explicit Gap(const std::vector<Vec3>& points)
         : rough_(thinned(points, 32)), fine_(thinned(points, 1024)) {}
 
-    double rough_share(const Ball& ball) const { return share(rough_, ball); }
+    /// Whether the ball may hold that share of the points, by a few of them.
+    bool may_hold(double wanted, const Ball& ball) const {
+        const auto count = static_cast<double>(rough_.size());
+        const auto most_missed = static_cast<std::ptrdiff_t>((1.0 - wanted) * count);
+        std::ptrdiff_t missed = 0;
+        for (const Vec3& p : rough_)
+            if ((p - ball.center).squaredNorm() > square(ball.radius) && ++missed > most_missed)
+                return false;
+        return true;
+    }
     double share(const Ball& ball) const { return share(fine_, ball); }
 
   private:
@@ -54,6 +64,7 @@ std::size_t Exchange::sweep(std::span<const Ball> candidates, std::vector<std::u
 void Exchange::update_gains(std::span<const Ball> candidates) {
     candidates_ = candidates;
     const std::size_t known = gains_.size();
+    if (candidates.size() > known) tree_.emplace(candidates);
     gains_.resize(candidates.size());
     asked_.resize(candidates.size(), 0);
 #pragma omp parallel for schedule(dynamic, 64) if (candidates.size() >= 1000)
@@ -107,12 +118,14 @@ void Exchange::find_rivals(const Ball& old, const Gap& gap) {
     constexpr double doubt = 0.15;  // of a rough estimate
     const auto open = static_cast<double>(gap_points_.size());
     rivals_.clear();
-    for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
+    // A ball of fewer cells than are to be won is no rival.
+    const double smallest = cover_.cell_size() * (std::cbrt(0.75 / pi * open) - 0.9);
+    tree_->visit_meeting(old, [&](std::uint32_t i) {
         const Ball& c = candidates_[i];
-        if ((c.center - old.center).squaredNorm() >= square(c.radius + old.radius)) continue;
-        if (gains_[i] + (gap.rough_share(c) + doubt) * open < open) continue;
+        if (c.radius < smallest) return;
+        if (!gap.may_hold(1.0 - doubt - gains_[i] / open, c)) return;
         rivals_.push_back({gains_[i] + gap.share(c) * open, i});
-    }
+    });
 }
 
 }  // namespace dem

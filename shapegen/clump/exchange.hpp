@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "shapegen/clump/ball_tree.hpp"
 #include "shapegen/clump/cell_cover.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,6 +40,7 @@ class Exchange {
 
     CellCover& cover_;
     std::span<const Ball> candidates_;
+    std::optional<BallTree> tree_;  ///< of the candidates
     std::vector<Ball> changes_;
     std::vector<std::size_t> asked_;  ///< 1 + changes before a ball was asked last; 0: never
     /// Of the candidates when all chosen balls are in place; exact at the beginning of a sweep but

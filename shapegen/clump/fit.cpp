@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/clump/fit.hpp"
 
-#include "shapegen/clump/nearest_ball.hpp"
+#include "shapegen/clump/ball_tree.hpp"
 
 #include <algorithm>
 
@@ -20,11 +20,14 @@ struct Assignment {
     double sum_of_squares = 0.0;       ///< of the distances [m^2]
 };
 
-Assignment assign(std::span<const SurfaceSample> samples, std::span<const Ball> balls) {
-    const NearestBall nearest(balls);
-    std::vector<NearestBall::Answer> answers(samples.size());
+/// `answers` are those of the last time: balls that are likely again.
+Assignment assign(std::span<const SurfaceSample> samples, std::span<const Ball> balls,
+                  std::vector<BallTree::Answer>& answers) {
+    const BallTree tree(balls);
+    answers.resize(samples.size(), {0, 0.0});
 #pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < samples.size(); ++i) answers[i] = nearest(samples[i].point);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        answers[i] = tree.nearest(samples[i].point, answers[i].ball);
     Assignment result;
     result.begin.assign(balls.size() + 1, 0);
     for (const auto& answer : answers) {
@@ -97,27 +100,33 @@ class Patch {
     std::span<const std::uint32_t> own_;
 };
 
+/// A ball with its center inside, and the point of the surface nearest to that.
+struct PlacedBall {
+    Ball ball;
+    SurfacePoint near;
+};
+
 /// A step may be too long, above all where a ball is as large as it may be: it is halved until the
 /// ball follows its points better.
 class Improvement {
   public:
     Improvement(const SurfaceQuery& surface, const Patch& patch, const FitOptions& options,
-                const Ball& ball)
+                const PlacedBall& start)
         : surface_(surface),
           patch_(patch),
           options_(options),
-          start_(ball),
-          best_(ball),
-          least_(patch.sum_of_squares(ball)) {}
+          start_(start),
+          best_(start),
+          least_(patch.sum_of_squares(start.ball)) {}
 
-    Ball operator()() {
-        const Vec4 step = patch_.free_step(start_);
+    PlacedBall operator()() {
+        const auto& [ball, near] = start_;
+        const Vec4 step = patch_.free_step(ball);
         try_along(step.head<3>(), step[3]);
-        const SurfacePoint near = surface_.nearest(start_.center);
-        const bool is_full = start_.radius > 0.999 * (near.distance + options_.protrusion);
+        const bool is_full = ball.radius > 0.999 * (near.distance + options_.protrusion);
         if (is_full && near.distance > 0.0) {
-            const Vec3 inward = (start_.center - near.point) / near.distance;
-            const Vec3 slide = patch_.sliding_step(start_, inward);
+            const Vec3 inward = (ball.center - near.point) / near.distance;
+            const Vec3 slide = patch_.sliding_step(ball, inward);
             try_along(slide, slide.norm());  // the place caps the radius
         }
         return best_;
@@ -128,16 +137,20 @@ class Improvement {
         constexpr int halvings = 4;
         double part = 1.0;
         for (int n = 0; n <= halvings; ++n, part *= 0.5) {
-            const Vec3 center = start_.center + part * step;
-            const double depth = -surface_.signed_distance(center);
+            const Vec3 center = start_.ball.center + part * step;
+            const double moved = part * step.norm();
+            const double depth_before = start_.near.distance;
+            if (moved >= depth_before && !surface_.is_inside(center)) continue;
+            constexpr double room = 1.0 + 1e-9;  // for rounding
+            const SurfacePoint near = surface_.nearest(center, room * (depth_before + moved));
             const double radius =
-                std::min(start_.radius + part * growth, depth + options_.protrusion);
-            if (!(depth > 0.0) || radius < options_.min_radius) continue;
+                std::min(start_.ball.radius + part * growth, near.distance + options_.protrusion);
+            if (!(near.distance > 0.0) || radius < options_.min_radius) continue;
             const Ball ball{center, radius};
             const double sum = patch_.sum_of_squares(ball);
             if (sum >= least_) continue;
             least_ = sum;
-            best_ = ball;
+            best_ = {ball, near};
             return;
         }
     }
@@ -145,7 +158,7 @@ class Improvement {
     const SurfaceQuery& surface_;
     const Patch& patch_;
     const FitOptions& options_;
-    Ball start_, best_;
+    PlacedBall start_, best_;
     double least_;
 };
 
@@ -153,15 +166,28 @@ class Improvement {
 
 void fit(const SurfaceQuery& surface, std::span<const SurfaceSample> samples,
          const FitOptions& options, std::vector<Ball>& balls) {
+    std::vector<PlacedBall> placed(balls.size());
+#pragma omp parallel for schedule(dynamic, 16) if (balls.size() >= 200)
+    for (std::size_t b = 0; b < balls.size(); ++b)
+        placed[b] = {balls[b], surface.nearest(balls[b].center)};
+    std::vector<BallTree::Answer> answers;
     std::vector<Ball> best = balls;
     double least = std::numeric_limits<double>::infinity();
+    constexpr int patience = 5;  // steps without
+    constexpr double enough = 0.99;
+    double least_at_progress = least;
+    int progress_at = 0;
     for (int step = 0; step <= options.steps; ++step) {
-        const Assignment assignment = assign(samples, balls);
+        const Assignment assignment = assign(samples, balls, answers);
+        if (assignment.sum_of_squares < enough * least_at_progress) {
+            least_at_progress = assignment.sum_of_squares;
+            progress_at = step;
+        }
         if (assignment.sum_of_squares < least) {
             least = assignment.sum_of_squares;
             best = balls;
         }
-        if (step == options.steps) break;
+        if (step == options.steps || step - progress_at == patience) break;
 #pragma omp parallel for schedule(dynamic, 16) if (balls.size() >= 200)
         for (std::size_t b = 0; b < balls.size(); ++b) {
             const auto own =
@@ -169,7 +195,8 @@ void fit(const SurfaceQuery& surface, std::span<const SurfaceSample> samples,
                     .subspan(assignment.begin[b], assignment.begin[b + 1] - assignment.begin[b]);
             if (own.empty()) continue;
             const Patch patch(samples, own);
-            balls[b] = Improvement(surface, patch, options, balls[b])();
+            placed[b] = Improvement(surface, patch, options, placed[b])();
+            balls[b] = placed[b].ball;
         }
     }
     balls = best;

@@ -2,7 +2,7 @@
 #include "shapegen/picture/clump_surface.hpp"
 
 #include "common/math/aabb.hpp"
-#include "shapegen/clump/nearest_ball.hpp"
+#include "shapegen/clump/ball_tree.hpp"
 #include "shapegen/surface/surface_query.hpp"
 
 #include <map>
@@ -109,10 +109,10 @@ ColoredMesh body_surface(const ParticleTemplate& shape) {
     std::vector<Ball> balls;
     for (const ClumpSphere& s : std::get<Clump>(shape.shape).spheres)
         balls.push_back({s.center(), s.radius});
-    const NearestBall nearest(balls);
+    const BallTree tree(balls);
     TriangleMesh mesh = display_surface(shape);
     ColoredMesh result{std::move(mesh.vertices), std::move(mesh.triangles), {}};
-    for (const Vec3& p : result.vertices) result.values.push_back(-nearest(p).distance);
+    for (const Vec3& p : result.vertices) result.values.push_back(-tree.nearest(p).distance);
     return result;
 }
 

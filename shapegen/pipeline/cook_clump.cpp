@@ -47,9 +47,9 @@ CookedClump cook_clump(const Solid& solid, const ClumpRequest& request) {
     shape.mean_squared_surface_distance = solid.mean_squared_surface_distance;
     shape.bounding_radius = bounding_radius(solid, clump.balls);
     shape.is_convex = solid.is_convex;
-    shape.display_mesh = solid.display_mesh;
+    shape.display_mesh = solid.display_mesh.get();
     shape.input_unit = solid.unit;
-    shape.certificate = clump_certificate(clump, masses, solid.display_mesh.max_deviation / d_eq);
+    shape.certificate = clump_certificate(clump, masses, shape.display_mesh.max_deviation / d_eq);
     std::vector<ClumpSphere> spheres;
     for (std::size_t i = 0; i < clump.balls.size(); ++i) {
         const Vec3& c = clump.balls[i].center;

@@ -11,6 +11,7 @@
 #include "shapegen/surface/decimate.hpp"
 #include "shapegen/surface/mesh_convexity.hpp"
 
+#include <future>
 #include <utility>
 
 namespace dem {
@@ -35,7 +36,9 @@ Solid from_profile(const std::filesystem::path& path) {
     solid.mass_properties = mass.mass_properties;
     solid.mean_squared_surface_distance = mass.mean_squared_surface_distance;
     solid.is_convex = convexity(profile).is_convex;
-    solid.display_mesh = display_mesh(profile, picture_tolerance * length);
+    solid.display_mesh = std::async(std::launch::deferred, [profile, length] {
+        return display_mesh(profile, picture_tolerance * length);
+    });
     return solid;
 }
 
@@ -56,7 +59,10 @@ Solid from_mesh(const std::filesystem::path& path, const MeshLoadOptions& option
     const Mat3 to_body = mass.principal_axes.toRotationMatrix().transpose();
     for (Vec3& p : loaded.mesh.vertices) p = to_body * (p - mass.center_of_mass);
     solid.mesh = std::move(loaded.mesh);
-    solid.display_mesh = decimated(SurfaceQuery(solid.mesh), picture_triangles);
+    // Takes a second for a large mesh, and nobody needs it before the end.
+    solid.display_mesh = std::async(std::launch::async, [mesh = solid.mesh] {
+        return decimated(SurfaceQuery(mesh), picture_triangles);
+    });
     return solid;
 }
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct Solid {
     MassProperties mass_properties;
     double mean_squared_surface_distance = 0.0;  ///< [m^2]
     bool is_convex = false;
-    DisplayMesh display_mesh;  ///< body frame
+    std::shared_future<DisplayMesh> display_mesh;  ///< body frame; made meanwhile
 };
 
 /// Reads a mesh or a profile. A mesh is repaired; a profile is revolved to a mesh that leaves its

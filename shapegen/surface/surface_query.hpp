@@ -15,8 +15,17 @@ class SurfaceQuery {
     const TriangleMesh& mesh() const { return mesh_; }
 
     /// The point of the surface nearest to p; of equally near triangles the one with the lowest
-    /// index.
-    SurfacePoint nearest(const Vec3& p) const { return tree_.nearest(p); }
+    /// index. Sooner for whoever knows that it is `within` a distance [m].
+    SurfacePoint nearest(const Vec3& p,
+                         double within = std::numeric_limits<double>::infinity()) const {
+        return tree_.nearest(p, within);
+    }
+
+    /// The largest ball at q: TriangleMeshTree::tangent_radius.
+    double tangent_radius(const Vec3& q, const Vec3& inward, double largest,
+                          double touching) const {
+        return tree_.tangent_radius(q, inward, largest, touching);
+    }
 
     /// Unsigned distance to the surface [m], exact up to rounding.
     double distance(const Vec3& p) const { return tree_.nearest(p).distance; }

@@ -47,10 +47,35 @@ TEST(TriangleMeshTree, NearestPointIsThatOfAllTriangles) {
         const SurfacePoint nearest = tree.nearest(p);
         EXPECT_NEAR(nearest.distance, brute_force_distance(mesh, p), 1e-14);
         EXPECT_NEAR((nearest.point - p).norm(), nearest.distance, 1e-14);
+        EXPECT_EQ(tree.nearest(p, nearest.distance).point, nearest.point);
+        EXPECT_EQ(tree.nearest(p, 1.1 * nearest.distance + 0.01).triangle, nearest.triangle);
+        EXPECT_GT(tree.nearest(p, 0.9 * nearest.distance - 1e-12).distance,
+                  0.9 * nearest.distance - 1e-12);
         const auto& [i, j, k] = mesh.triangles[nearest.triangle];
         EXPECT_LT(distance_to_triangle(mesh.vertices[i], mesh.vertices[j], mesh.vertices[k],
                                        nearest.point),
                   1e-14);
+    }
+}
+
+TEST(TriangleMeshTree, TangentBallIsTheLargestThatHoldsNothing) {
+    constexpr double touching = 1e-6;
+    Random random(12, 0);
+    const TriangleMesh mesh = sample::torus(3.0, 1.0, 24, 12);
+    const TriangleMeshTree tree(mesh);
+    for (const auto& [i, j, k] : mesh.triangles) {
+        const Vec3& a = mesh.vertices[i];
+        const Vec3 ab = mesh.vertices[j] - a;
+        const Vec3 ac = mesh.vertices[k] - a;
+        const Vec3 q = a + random.uniform(0.1, 0.4) * ab + random.uniform(0.1, 0.4) * ac;
+        const Vec3 inward = -ab.cross(ac).normalized();
+        const double radius = tree.tangent_radius(q, inward, 2.0, touching);
+        EXPECT_GT(radius, 0.0);
+        EXPECT_LT(radius, 1.0);
+        EXPECT_GE(tree.nearest(q + radius * inward).distance, radius * (1.0 - 1.01 * touching));
+        const double larger = 1.001 * radius;
+        EXPECT_LT(tree.nearest(q + larger * inward).distance, larger * (1.0 - touching));
+        EXPECT_EQ(tree.tangent_radius(q, inward, 0.5 * radius, touching), 0.5 * radius);
     }
 }
 

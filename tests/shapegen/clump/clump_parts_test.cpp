@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapegen/clump/ball_tree.hpp"
 #include "shapegen/clump/candidates.hpp"
 #include "shapegen/clump/judge.hpp"
 #include "shapegen/clump/mass_balance.hpp"
-#include "shapegen/clump/nearest_ball.hpp"
 #include "shapegen/voxel/voxelize.hpp"
 #include "tests/common/shapes/sample_meshes.hpp"
 #include "tests/shapegen/clump/sample_balls.hpp"
@@ -29,7 +29,7 @@ TEST(Candidates, AreInsideAndTouchTheSurface) {
     const SurfaceQuery torus(sample::torus(2.0, 0.7, 40, 24));
     const VoxelImage image = voxelize(torus.mesh(), 0.1);
     for (const auto& balls : {skeletal_balls(torus, image, Skeleton::surface, 0.05),
-                              surface_seeded_balls(torus, 300, 0.05)}) {
+                              surface_seeded_balls(torus, 300, {}, 0.0, 0.05)}) {
         ASSERT_GT(balls.size(), 100U);
         for (const Ball& ball : balls) {
             EXPECT_TRUE(torus.is_inside(ball.center));
@@ -39,19 +39,29 @@ TEST(Candidates, AreInsideAndTouchTheSurface) {
     }
 }
 
-TEST(NearestBall, AnswersAsALoopDoes) {
+TEST(BallTree, AnswersAsALoopDoes) {
     const std::vector<Ball> balls = test::random_balls(200, 5);
-    const NearestBall nearest(balls);
+    const BallTree tree(balls);
     Random random(6, 0);
     for (int n = 0; n < 500; ++n) {
         const Vec3 x = 1.5 * random.uniform() * random.direction();
-        NearestBall::Answer best{0, 1e30};
+        BallTree::Answer best{0, 1e30};
         for (std::uint32_t i = 0; i < balls.size(); ++i) {
             const double distance = (x - balls[i].center).norm() - balls[i].radius;
             if (distance < best.distance) best = {i, distance};
         }
-        EXPECT_EQ(nearest(x).ball, best.ball);
-        EXPECT_EQ(nearest(x).distance, best.distance);
+        const auto likely = static_cast<std::uint32_t>(n % 200);  // right or wrong
+        EXPECT_EQ(tree.nearest(x, likely).ball, best.ball);
+        EXPECT_EQ(tree.nearest(x, likely).distance, best.distance);
+        std::vector<std::uint32_t> meeting;
+        const Ball other{x, 0.2};
+        tree.visit_meeting(other, [&](std::uint32_t i) { meeting.push_back(i); });
+        std::sort(meeting.begin(), meeting.end());
+        std::vector<std::uint32_t> expected;
+        for (std::uint32_t i = 0; i < balls.size(); ++i)
+            if ((balls[i].center - x).norm() < balls[i].radius + other.radius)
+                expected.push_back(i);
+        EXPECT_EQ(meeting, expected);
     }
 }
 
