@@ -121,8 +121,11 @@ ClumpRequest read_request(const po::variables_map& values) {
     options.skeleton = read_skeleton(values);
     options.per_diameter =
         static_cast<double>(whole_number(values, "resolution", fewest_voxels, most_voxels));
-    // Coverage needs cells finer than the voxels that candidates come from.
-    options.cells_per_diameter = std::clamp(4.0 * options.per_diameter, 80.0, 160.0);
+    // Coverage needs cells finer than the voxels that candidates come from, and much finer ones
+    // where nothing but coverage counts.
+    const double per_voxel = options.is_inscribed ? 3.2 : 1.6;
+    options.cells_per_diameter = std::clamp(per_voxel * options.per_diameter,
+                                            std::min(4.0 * options.per_diameter, 160.0), 320.0);
     return request;
 }
 

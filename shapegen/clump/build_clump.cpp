@@ -88,7 +88,11 @@ BuiltClump ClumpMaker::Impl::clump(const CoverGoal& goal) {
     }
     CoverSearch search(cells_);
     CoverGoal inner = goal;
-    while (!wants_coverage || inner.coverage <= pool_.ceiling()) {
+    for (;;) {
+        if (wants_coverage && inner.coverage > pool_.ceiling()) {
+            if (!pool_.extend()) refuse(goal.coverage);
+            continue;
+        }
         search.reach(pool_.balls(), inner, options_.sweeps);
         // Where the candidates are all but used up, more of them may do better.
         if (!wants_coverage && !pool_.has_room_for(search.coverage()) && pool_.extend()) continue;
@@ -96,9 +100,8 @@ BuiltClump ClumpMaker::Impl::clump(const CoverGoal& goal) {
         const double missing = goal.coverage - result.quality.coverage;
         if (!wants_coverage || missing <= 0.0) return result;
         // Coverage was counted on other cells than the judge's.
-        inner.coverage = std::max(inner.coverage, search.coverage()) + 1.1 * missing;
+        inner.coverage = std::max(inner.coverage, search.coverage()) + 1.03 * missing;
     }
-    refuse(goal.coverage);
 }
 
 BuiltClump ClumpMaker::Impl::clump_within(double rms_deviation) {

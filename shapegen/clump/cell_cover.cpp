@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/clump/cell_cover.hpp"
 
+#include "shapegen/clump/ball_rows.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -91,14 +93,30 @@ CellCover::CellCover(const VoxelImage& solid) : grid_(solid.grid()) {
         }
     }
     uncovered_ = solid_;
+    row_words_ = static_cast<std::size_t>((bricks_[0] + 63) / 64);
+    filled_.assign(
+        row_words_ * static_cast<std::size_t>(bricks_[1]) * static_cast<std::size_t>(bricks_[2]),
+        0);
+    for (std::size_t brick = 0; brick < solid_.size(); ++brick)
+        if (solid_[brick] != 0) word_of(filled_, brick) |= bit_of(brick);
+    open_ = filled_;
     for (const VoxelWord word : solid_) cells_ += static_cast<std::size_t>(std::popcount(word));
     uncovered_count_ = cells_;
 }
 
-/// Calls visit(brick, mask()) for each brick with cells in the ball, and some that just miss it, in
-/// the order of the grid. mask() gives the bits of these cells, which is the costly part.
+VoxelWord& CellCover::word_of(BrickBits& bits, std::size_t brick) const {
+    const auto nx = static_cast<std::size_t>(bricks_[0]);
+    return bits[brick / nx * row_words_ + brick % nx / 64];
+}
+
+VoxelWord CellCover::bit_of(std::size_t brick) const {
+    return VoxelWord{1} << (brick % static_cast<std::size_t>(bricks_[0]) % 64);
+}
+
+/// Calls visit(brick, mask()) for each brick of `which` with cells in the ball, and some that just
+/// miss it, in the order of the grid. mask() gives the bits of these cells.
 template <class Visit>
-void CellCover::visit_bricks(const Ball& ball, const Visit& visit) const {
+void CellCover::visit_bricks(const Ball& ball, const BrickBits& which, const Visit& visit) const {
     const Vec3 c = (ball.center - grid_.origin) / grid_.spacing;
     const double r = ball.radius / grid_.spacing;
     const double r2 = square(r);
@@ -112,42 +130,50 @@ void CellCover::visit_bricks(const Ball& ball, const Visit& visit) const {
             const double least = z.least + y.least;
             if (least > r2) continue;
             const BrickRange any = bricks_with_any(c.x(), std::sqrt(r2 - least), bricks_[0]);
-            const double most = z.most + y.most;
-            const BrickRange all = most > r2 ? BrickRange{any.last, any.last}
-                                             : bricks_with_all(c.x(), std::sqrt(r2 - most), any);
-            std::array<float, edge * edge> left;  // of the squared radius for x
-            for (std::size_t n = 0; n < left.size(); ++n)
-                left[n] = static_cast<float>(r2 - z.values[n / edge] - y.values[n % edge]);
+            if (any.first == any.last) continue;
             const std::size_t row =
-                (static_cast<std::size_t>(k) * static_cast<std::size_t>(bricks_[1]) +
-                 static_cast<std::size_t>(j)) *
-                static_cast<std::size_t>(bricks_[0]);
-            const auto partial = [&](int i) {
-                visit(row + static_cast<std::size_t>(i),
-                      [&] { return brick_mask(left, edge * i - c.x()); });
-            };
-            for (int i = any.first; i < all.first; ++i) partial(i);
-            for (int i = all.first; i < all.last; ++i)
-                visit(row + static_cast<std::size_t>(i), [] { return ~VoxelWord{0}; });
-            for (int i = all.last; i < any.last; ++i) partial(i);
+                static_cast<std::size_t>(k) * static_cast<std::size_t>(bricks_[1]) +
+                static_cast<std::size_t>(j);
+            const double most = z.most + y.most;
+            BrickRange all{0, 0};
+            std::array<float, edge * edge> left;  // of the squared radius for x
+            bool is_ready = false;
+            visit_words(any.first, any.last, [&](int word, VoxelWord range) {
+                VoxelWord rest = which[row * row_words_ + static_cast<std::size_t>(word)] & range;
+                if (rest == 0) return;
+                if (!is_ready) {
+                    is_ready = true;
+                    if (most <= r2) all = bricks_with_all(c.x(), std::sqrt(r2 - most), any);
+                    for (std::size_t n = 0; n < left.size(); ++n)
+                        left[n] = static_cast<float>(r2 - z.values[n / edge] - y.values[n % edge]);
+                }
+                for (; rest != 0; rest &= rest - 1) {
+                    const int i = 64 * word + std::countr_zero(rest);
+                    visit(row * static_cast<std::size_t>(bricks_[0]) + static_cast<std::size_t>(i),
+                          [&] {
+                              return i >= all.first && i < all.last
+                                         ? ~VoxelWord{0}
+                                         : brick_mask(left, edge * i - c.x());
+                          });
+                }
+            });
         }
     }
 }
 
 std::size_t CellCover::gain(const Ball& ball) const {
     std::size_t sum = 0;
-    visit_bricks(ball, [&](std::size_t brick, const auto& mask) {
-        const VoxelWord word = uncovered_[brick];
-        if (word != 0) sum += static_cast<std::size_t>(std::popcount(word & mask()));
+    visit_bricks(ball, open_, [&](std::size_t brick, const auto& mask) {
+        sum += static_cast<std::size_t>(std::popcount(uncovered_[brick] & mask()));
     });
     return sum;
 }
 
 std::size_t CellCover::exclusive(const Ball& ball) const {
     std::size_t sum = 0;
-    visit_bricks(ball, [&](std::size_t brick, const auto& mask) {
+    visit_bricks(ball, filled_, [&](std::size_t brick, const auto& mask) {
         const unsigned whole = brick_counts_[brick];
-        if (solid_[brick] == 0 || whole > 1) return;
+        if (whole > 1) return;
         const VoxelWord bits = mask();
         // The cells that no other ball counts: it counts itself either here or there.
         const auto alone = static_cast<std::uint16_t>(bits == ~VoxelWord{0} ? 0 : 1);
@@ -167,8 +193,7 @@ void CellCover::insert(const Ball& ball) {
         cell_counts_.assign(brick_cells * solid_.size(), 0);
     }
     mark(ball);
-    visit_bricks(ball, [&](std::size_t brick, const auto& mask) {
-        if (solid_[brick] == 0) return;
+    visit_bricks(ball, filled_, [&](std::size_t brick, const auto& mask) {
         const VoxelWord bits = mask();
         if (bits == ~VoxelWord{0}) {
             ++brick_counts_[brick];
@@ -180,19 +205,18 @@ void CellCover::insert(const Ball& ball) {
 }
 
 void CellCover::mark(const Ball& ball) {
-    visit_bricks(ball, [&](std::size_t brick, const auto& mask) {
+    visit_bricks(ball, open_, [&](std::size_t brick, const auto& mask) {
         VoxelWord& word = uncovered_[brick];
-        if (word == 0) return;
         const VoxelWord hit = word & mask();
         uncovered_count_ -= static_cast<std::size_t>(std::popcount(hit));
         word ^= hit;
+        if (word == 0) word_of(open_, brick) &= ~bit_of(brick);
     });
 }
 
 template <class Visit>
 void CellCover::take_out(const Ball& ball, const Visit& visit) {
-    visit_bricks(ball, [&](std::size_t brick, const auto& mask) {
-        if (solid_[brick] == 0) return;
+    visit_bricks(ball, filled_, [&](std::size_t brick, const auto& mask) {
         const VoxelWord bits = mask();
         if (bits == 0) return;
         std::uint16_t* counts = cell_counts_.data() + brick_cells * brick;
@@ -207,7 +231,9 @@ void CellCover::take_out(const Ball& ball, const Visit& visit) {
         for (int n = 0; n < brick_cells; ++n) empty |= static_cast<VoxelWord>(counts[n] == 0) << n;
         // A ball may reach out of the solid.
         const VoxelWord left = empty & bits & solid_[brick];
+        if (left == 0) return;
         uncovered_[brick] |= left;
+        word_of(open_, brick) |= bit_of(brick);
         uncovered_count_ += static_cast<std::size_t>(std::popcount(left));
         for (VoxelWord rest = left; rest != 0; rest &= rest - 1)
             visit(brick, std::countr_zero(rest));

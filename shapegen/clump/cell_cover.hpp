@@ -43,14 +43,21 @@ class CellCover {
     void erase(const Ball& ball);
 
   private:
+    /// One bit for each brick, rows along x beginning with a new word.
+    using BrickBits = std::vector<VoxelWord>;
+
     template <class Visit>
-    void visit_bricks(const Ball& ball, const Visit& visit) const;
+    void visit_bricks(const Ball& ball, const BrickBits& which, const Visit& visit) const;
+    VoxelWord& word_of(BrickBits& bits, std::size_t brick) const;
+    VoxelWord bit_of(std::size_t brick) const;
     template <class Visit>
     void take_out(const Ball& ball, const Visit& visit);
     Vec3 center(std::size_t brick, int bit) const;
 
     VoxelGrid grid_;
     std::array<int, 3> bricks_{};  ///< along each axis
+    std::size_t row_words_ = 0;    ///< of BrickBits
+    BrickBits filled_, open_;      ///< bricks with cells, and with uncovered ones
     std::vector<VoxelWord> solid_;
     std::vector<VoxelWord> uncovered_;
     /// Of balls, from the first one inserted on: those that hold a whole brick, and, cell by cell,

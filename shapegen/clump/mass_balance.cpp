@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <optional>
 
+#include <Eigen/QR>
 #include <glpk.h>
 
 namespace dem {
@@ -25,138 +25,208 @@ std::array<double, rows> column(const Ball& ball, double length) {
             moments.y(), moments.z(), c.x() * c.y(), c.y() * c.z(), c.z() * c.x()};
 }
 
-/// The linear program: masses x_i in units of the body's, and x_0, the least ratio of a mass to
-/// that of an even density.
+/// Equations that are met together: rows of a column() and what their errors are relative to.
+enum Group { centers, moments, products };
+constexpr std::array<Group, 9> group_of{centers, centers,  centers,  moments, moments,
+                                        moments, products, products, products};
+
+/// The linear program. The mass of ball i, in units of the body's, is e_i x + s_i with x and s_i >=
+/// 0 and e_i that of an even density; so the least ratio of a mass to that of an even density is x
+/// at least, and there are no more rows than equations. A last variable t is a tolerance that can
+/// be minimized.
 class Program {
   public:
     Program(std::span<const Ball> balls, const MassProperties& body)
         : count_(static_cast<int>(balls.size())), problem_(glp_create_prob(), glp_delete_prob) {
         glp_term_out(GLP_OFF);
         const double length = std::cbrt(body.volume);
-        moments_ = body.principal_moments_per_density / (body.volume * square(length));
+        const Vec3 principal = body.principal_moments_per_density / (body.volume * square(length));
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto a = static_cast<std::size_t>(axis);
+            scales_[a] = std::cbrt(6.0 / pi);  // the diameter of the sphere of volume 1
+            wanted_[3 + a] = scales_[3 + a] = principal[axis];
+            scales_[6 + a] = principal.mean();
+        }
         double total = 0.0;
         for (const Ball& ball : balls) total += cube(ball.radius);
-        glp_set_obj_dir(problem_.get(), GLP_MAX);
-        glp_add_rows(problem_.get(), rows + count_);
-        glp_add_cols(problem_.get(), 1 + count_);
-        glp_set_obj_coef(problem_.get(), 1, 1.0);
-        glp_set_col_bnds(problem_.get(), 1, GLP_LO, 0.0, 0.0);
-        std::array<int, rows + 2> index{};
-        std::array<double, rows + 2> value{};
-        for (int i = 0; i < count_; ++i) {
-            const Ball& ball = balls[static_cast<std::size_t>(i)];
-            const auto entries = column(ball, length);
-            for (int r = 0; r < rows; ++r) {
-                index[static_cast<std::size_t>(r) + 1] = r + 1;
-                value[static_cast<std::size_t>(r) + 1] = entries[static_cast<std::size_t>(r)];
-            }
-            index[rows + 1] = rows + 1 + i;
-            value[rows + 1] = total / cube(ball.radius);
-            glp_set_mat_col(problem_.get(), 2 + i, rows + 1, index.data(), value.data());
-            glp_set_col_bnds(problem_.get(), 2 + i, GLP_LO, 0.0, 0.0);
-            glp_set_row_bnds(problem_.get(), rows + 1 + i, GLP_LO, 0.0, 0.0);
+        for (const Ball& ball : balls) {
+            columns_.push_back(column(ball, length));
+            even_.push_back(cube(ball.radius) / total);
         }
-        set_least_ratio_column();
+        fill();
     }
 
-    /// The masses, or nothing when center and moments cannot be met within the tolerances.
-    std::optional<std::vector<double>> solve(double center_tolerance, double product_tolerance,
-                                             double tolerance) {
-        set_row(1, 1.0, 0.0);
-        for (int r = 0; r < 3; ++r) set_row(2 + r, 0.0, center_tolerance * diameter_);
-        for (int r = 0; r < 3; ++r) set_row(5 + r, moments_[r], tolerance * moments_[r]);
-        for (int r = 0; r < 3; ++r) set_row(8 + r, 0.0, product_tolerance * moments_.mean());
+    /// The least tolerance of a group's equations; that of the others is as set, or any.
+    double least_tolerance(Group group) {
+        set_column(tolerance_column(), [&](std::size_t q, int side) {
+            return group_of[q] == group ? side * scales_[q] : 0.0;
+        });
+        glp_set_obj_dir(problem_.get(), GLP_MIN);
+        glp_set_obj_coef(problem_.get(), 1, 0.0);
+        glp_set_obj_coef(problem_.get(), tolerance_column(), 1.0);
+        set_tolerance(group, 0.0);
+        for (std::size_t q = 0; q < wanted_.size(); ++q)
+            if (group_of[q] == group) set_bounds(q, GLP_UP, GLP_LO);
+        if (!solve()) fail();
+        return glp_get_obj_val(problem_.get());
+    }
+
+    void set_tolerance(Group group, double tolerance) {
+        for (std::size_t q = 0; q < wanted_.size(); ++q) {
+            if (group_of[q] != group) continue;
+            slacks_[q] = tolerance * scales_[q];
+            set_bounds(q, slacks_[q] > 0.0 ? GLP_UP : GLP_FX, slacks_[q] > 0.0 ? GLP_LO : GLP_FR);
+        }
+    }
+
+    /// Whether there are masses within the tolerances that are set.
+    bool is_feasible() {
+        make_even();
+        return solve();
+    }
+
+    /// With the tolerances set, the masses that are most even.
+    std::vector<double> most_even_masses() {
+        if (!is_feasible()) fail();
+        const double x = glp_get_col_prim(problem_.get(), 1);
+        std::vector<double> masses;
+        for (int i = 0; i < count_; ++i)
+            masses.push_back(std::max(
+                even_[static_cast<std::size_t>(i)] * x + glp_get_col_prim(problem_.get(), 2 + i),
+                0.0));
+        remove_rounding(masses);
+        return masses;
+    }
+
+  private:
+    static constexpr int below = -1;  // sum - tolerance <= wanted
+    static constexpr int above = 1;
+    static int row(std::size_t q, int side) {
+        return 2 + 2 * static_cast<int>(q) + (side == above ? 1 : 0);
+    }
+    int tolerance_column() const { return 2 + count_; }
+
+    void fill() {
+        glp_add_rows(problem_.get(), 1 + 2 * (rows - 1));
+        glp_add_cols(problem_.get(), 2 + count_);
+        glp_set_row_bnds(problem_.get(), 1, GLP_FX, 1.0, 1.0);
+        for (std::size_t q = 0; q < wanted_.size(); ++q) {
+            glp_set_row_bnds(problem_.get(), row(q, below), GLP_FR, 0.0, 0.0);
+            glp_set_row_bnds(problem_.get(), row(q, above), GLP_FR, 0.0, 0.0);
+        }
+        std::array<double, rows> even{};
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            for (std::size_t r = 0; r < rows; ++r) even[r] += even_[i] * columns_[i][r];
+            set_column(
+                2 + static_cast<int>(i), [&](std::size_t q, int) { return columns_[i][q + 1]; },
+                1.0);
+        }
+        set_column(
+            1, [&](std::size_t q, int) { return even[q + 1]; }, 1.0);
+        for (int c = 1; c <= tolerance_column(); ++c)
+            glp_set_col_bnds(problem_.get(), c, GLP_LO, 0.0, 0.0);
+    }
+
+    /// Of an equation's two rows, by the kinds of bounds that GLPK knows.
+    void set_bounds(std::size_t q, int kind_below, int kind_above) {
+        const double most = wanted_[q] + slacks_[q];
+        const double least = wanted_[q] - slacks_[q];
+        glp_set_row_bnds(problem_.get(), row(q, below), kind_below, most, most);
+        glp_set_row_bnds(problem_.get(), row(q, above), kind_above, least, least);
+    }
+
+    /// value(equation, side) for all rows but the first.
+    template <class Value>
+    void set_column(int c, const Value& value, double mass = 0.0) {
+        std::array<int, 2 * rows> index{};
+        std::array<double, 2 * rows> values{};
+        index[1] = 1;
+        values[1] = mass;
+        for (std::size_t q = 0; q < wanted_.size(); ++q) {
+            for (const int side : {below, above}) {
+                const int r = row(q, side);
+                index[static_cast<std::size_t>(r)] = r;
+                values[static_cast<std::size_t>(r)] = value(q, side);
+            }
+        }
+        glp_set_mat_col(problem_.get(), c, 2 * rows - 1, index.data(), values.data());
+    }
+
+    /// The last variable is left out, and the masses are to be most even.
+    void make_even() {
+        set_column(tolerance_column(), [](std::size_t, int) { return 0.0; });
+        glp_set_obj_dir(problem_.get(), GLP_MAX);
+        glp_set_obj_coef(problem_.get(), 1, 1.0);
+        glp_set_obj_coef(problem_.get(), tolerance_column(), 0.0);
+    }
+
+    [[noreturn]] static void fail() {
+        throw Error("clump",
+                    "found no masses for its spheres, expected them by linear programming");
+    }
+
+    bool solve() {
         glp_smcp settings;
         glp_init_smcp(&settings);
         settings.msg_lev = GLP_MSG_OFF;
         glp_scale_prob(problem_.get(), GLP_SF_AUTO);
         glp_adv_basis(problem_.get(), 0);
-        if (glp_simplex(problem_.get(), &settings) != 0 ||
-            glp_get_status(problem_.get()) != GLP_OPT)
-            return std::nullopt;
-        std::vector<double> masses;
-        for (int i = 0; i < count_; ++i)
-            masses.push_back(std::max(glp_get_col_prim(problem_.get(), 2 + i), 0.0));
-        return masses;
+        return glp_simplex(problem_.get(), &settings) == 0 &&
+               glp_get_status(problem_.get()) == GLP_OPT;
     }
 
-  private:
-    void set_row(int row, double wanted, double slack) {
-        glp_set_row_bnds(problem_.get(), row, slack > 0.0 ? GLP_DB : GLP_FX, wanted - slack,
-                         wanted + slack);
-    }
-
-    /// m_i / (even density) - x_0 >= 0 for each ball.
-    void set_least_ratio_column() {
-        std::vector<int> index{0};
-        std::vector<double> value{0.0};
-        for (int i = 0; i < count_; ++i) {
-            index.push_back(rows + 1 + i);
-            value.push_back(-1.0);
+    /// The simplex method meets its rows to 1e-7: the rest is spread over the masses, in proportion
+    /// to them, with the least squares that do it.
+    void remove_rounding(std::vector<double>& masses) const {
+        using Row = Eigen::Matrix<double, rows, 1>;
+        Eigen::Matrix<double, rows, rows> normal = Eigen::Matrix<double, rows, rows>::Zero();
+        Row sum = Row::Zero();
+        for (std::size_t i = 0; i < masses.size(); ++i) {
+            const Eigen::Map<const Row> a(columns_[i].data());
+            sum += masses[i] * a;
+            normal += masses[i] * a * a.transpose();
         }
-        glp_set_mat_col(problem_.get(), 1, count_, index.data(), value.data());
+        Row missing;
+        missing[0] = 1.0 - sum[0];
+        for (std::size_t q = 0; q < wanted_.size(); ++q) {
+            const auto r = static_cast<Eigen::Index>(q) + 1;
+            missing[r] =
+                std::clamp(sum[r], wanted_[q] - slacks_[q], wanted_[q] + slacks_[q]) - sum[r];
+        }
+        const Row change = normal.completeOrthogonalDecomposition().solve(missing);
+        for (std::size_t i = 0; i < masses.size(); ++i)
+            masses[i] *= 1.0 + Eigen::Map<const Row>(columns_[i].data()).dot(change);
     }
 
     int count_;
     std::unique_ptr<glp_prob, void (*)(glp_prob*)> problem_;
-    double diameter_ = std::cbrt(6.0 / pi);  // of the sphere of volume 1
-    Vec3 moments_;
+    std::vector<std::array<double, rows>> columns_;
+    std::vector<double> even_;
+    std::array<double, rows - 1> wanted_{}, scales_{}, slacks_{};
 };
-
-struct Solution {
-    double tolerance;
-    std::vector<double> masses;
-};
-
-/// The least tolerance, to one part in a thousand, for which solve(tolerance) has an answer.
-template <class Solve>
-std::optional<Solution> least_tolerance(const Solve& solve) {
-    constexpr double most = 1e3;  // beyond any size or moment
-    if (auto masses = solve(0.0)) return Solution{0.0, std::move(*masses)};
-    double low = 0.0;
-    std::optional<Solution> found;
-    for (double high = 1e-6; !found; high *= 4.0) {
-        if (high > most) return std::nullopt;
-        if (auto masses = solve(high))
-            found = Solution{high, std::move(*masses)};
-        else
-            low = high;
-    }
-    while (found->tolerance - low > 1e-3 * found->tolerance) {
-        const double middle = 0.5 * (low + found->tolerance);
-        if (auto masses = solve(middle))
-            found = Solution{middle, std::move(*masses)};
-        else
-            low = middle;
-    }
-    return found;
-}
 
 }  // namespace
 
 MassBalance balance_masses(std::span<const Ball> balls, const MassProperties& body) {
-    constexpr double any = 1e3;
+    constexpr double met = 1e-9;  // below it is rounding
     Program program(balls, body);
-    const auto least = [](const auto& solve) {
-        const auto found = least_tolerance(solve);
-        if (!found)
-            throw Error("clump",
-                        "found no masses for its spheres, expected them by linear programming");
-        return *found;
+    const auto settle = [&](Group group) {
+        const double least = program.least_tolerance(group);
+        double tolerance = least > met ? least : 0.0;
+        program.set_tolerance(group, tolerance);
+        // At the very limit rounding may leave no way at all.
+        for (double room = std::max(1e-6 * least, met); !program.is_feasible(); room *= 4.0) {
+            tolerance = least + room;
+            program.set_tolerance(group, tolerance);
+        }
+        return tolerance;
     };
-    // At the very limit rounding may leave no way at all.
-    constexpr double room = 1.0 + 1e-6;
     MassBalance result;
-    result.center_tolerance =
-        room * least([&](double t) { return program.solve(t, any, any); }).tolerance;
-    result.product_tolerance = room * least([&](double t) {
-                                          return program.solve(result.center_tolerance, t, any);
-                                      }).tolerance;
-    const Solution solution = least([&](double t) {
-        return program.solve(result.center_tolerance, result.product_tolerance, t);
-    });
-    result.tolerance = solution.tolerance;
-    for (const double mass : solution.masses) result.shares.push_back(mass * body.volume);
+    result.center_tolerance = settle(centers);
+    result.product_tolerance = settle(products);
+    result.tolerance = settle(moments);
+    for (const double mass : program.most_even_masses())
+        result.shares.push_back(mass * body.volume);
     return result;
 }
 

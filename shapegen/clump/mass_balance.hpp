@@ -26,7 +26,7 @@ struct MassBalance {
 /// moments of the body exactly, products of inertia zero, each sphere with its own 2/5 m r^2; the
 /// least density of a sphere is made as large as possible, so that none is left nearly empty. Where
 /// no masses do that, first the center, then the products, then the moments may be off by the least
-/// tolerance that works, found to one part in a thousand.
+/// tolerance that works.
 MassBalance balance_masses(std::span<const Ball> balls, const MassProperties& body);
 
 }  // namespace dem
