@@ -146,7 +146,9 @@ class Program {
             for (const int side : {below, above}) {
                 const int r = row(q, side);
                 index[static_cast<std::size_t>(r)] = r;
-                values[static_cast<std::size_t>(r)] = value(q, side);
+                // All is of order one; less than this is rounding, and misleads the simplex method.
+                const double entry = value(q, side);
+                values[static_cast<std::size_t>(r)] = std::abs(entry) > 1e-12 ? entry : 0.0;
             }
         }
         glp_set_mat_col(problem_.get(), c, 2 * rows - 1, index.data(), values.data());
@@ -169,7 +171,6 @@ class Program {
         glp_smcp settings;
         glp_init_smcp(&settings);
         settings.msg_lev = GLP_MSG_OFF;
-        glp_scale_prob(problem_.get(), GLP_SF_AUTO);
         glp_adv_basis(problem_.get(), 0);
         return glp_simplex(problem_.get(), &settings) == 0 &&
                glp_get_status(problem_.get()) == GLP_OPT;
