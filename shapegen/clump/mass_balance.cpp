@@ -194,7 +194,12 @@ class Program {
             missing[r] =
                 std::clamp(sum[r], wanted_[q] - slacks_[q], wanted_[q] + slacks_[q]) - sum[r];
         }
-        const Row change = normal.completeOrthogonalDecomposition().solve(missing);
+        // Equations that no masses can change, and some are such by symmetry, are left as they are.
+        Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, rows, rows>> solver;
+        solver.setThreshold(1e-9);
+        const Row change = solver.compute(normal).solve(missing);
+        for (const auto& entries : columns_)
+            if (std::abs(Eigen::Map<const Row>(entries.data()).dot(change)) > 1e-3) return;
         for (std::size_t i = 0; i < masses.size(); ++i)
             masses[i] *= 1.0 + Eigen::Map<const Row>(columns_[i].data()).dot(change);
     }
