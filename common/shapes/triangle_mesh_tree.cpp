@@ -180,8 +180,11 @@ void TriangleMeshTree::search(Probe& probe) const {
             squared[k] = sum;
         }
         const std::size_t bottom = size;
+        // A probe that has moved since must not compare its new size with its old distances.
+        const double before = probe.limit;
         for (std::size_t k = 0; k < width; ++k) {
-            if (squared[k] > probe.limit || squared[k] == infinity) continue;
+            const double limit = Probe::stands_still ? probe.limit : before;
+            if (squared[k] > limit || squared[k] == infinity) continue;
             if (node.count[k] == 0) {
                 // Kept in falling order, so that the nearest child is the next to come.
                 std::size_t at = size++;
