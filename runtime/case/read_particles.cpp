@@ -11,6 +11,7 @@ namespace {
 
 std::vector<std::string> shape_names(const std::vector<std::uint32_t>& shapes, const Scene& scene) {
     std::vector<std::string> names;
+    names.reserve(shapes.size());
     for (const std::uint32_t s : shapes) names.push_back(scene.shapes[s].name);
     return names;
 }

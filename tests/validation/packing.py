@@ -17,6 +17,7 @@ def arguments():
     parser = argparse.ArgumentParser()
     parser.add_argument("--seeds", type=int, default=3, help="runs with the automatic time step, minutes each")
     parser.add_argument("--paper-seeds", type=int, default=2, help="runs with the paper's time step, up to an hour each")
+    parser.add_argument("--variant-seeds", type=int, default=1, help="runs of every other way of filling")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--reuse", action="store_true", help="take runs that are finished as they are")
     return parser.parse_args()
@@ -42,10 +43,11 @@ def heights(runs):
 
 
 def spread(runs):
-    """Mean and standard deviation of every measure over the runs, as cells of a table."""
+    """Mean and, of several runs, standard deviation of every measure, as cells of a table."""
     table = heights(runs)
-    deviation = table.std(axis=0, ddof=1) if len(runs) > 1 else np.zeros(len(MEASURES))
-    return [f"{m:.2f} +- {s:.2f}" for m, s in zip(table.mean(axis=0), deviation)]
+    if len(runs) == 1:
+        return [f"{m:.2f}" for m in table[0]]
+    return [f"{m:.2f} +- {s:.2f}" for m, s in zip(table.mean(axis=0), table.std(axis=0, ddof=1))]
 
 
 def report(page: Page, runs, experiment, tolerance, total):
@@ -64,8 +66,8 @@ def report(page: Page, runs, experiment, tolerance, total):
     figure, axes = plt.subplots()
     axes.axhspan(experiment - tolerance, experiment + tolerance, color="0.85", label="experiment")
     for label, group in runs.items():
-        for k, run in enumerate(group):
-            axes.plot(run.history["time"], 1e3 * run.history["height_highest"], lw=1, label=f"{label}, seed {k + 1}")
-    axes.set(xlabel="time [s]", ylabel="highest point [mm]")
+        for k, row in enumerate(heights(group)):
+            axes.plot(row, marker="o", lw=0.7, ls=":", label=f"{label}, seed {k + 1}")
+    axes.set(xticks=range(len(MEASURES)), xticklabels=MEASURES, ylabel="fill height [mm]")
     axes.legend()
-    page.plot(figure, "", "Highest point while the vessel is filled")
+    page.plot(figure, "", "Three ways to say how high the bed is")

@@ -2,6 +2,8 @@
 """Packing of 250 candies in a cylinder ([SR] Sec. 3.3)."""
 import sys
 
+import numpy as np
+
 from packing import AUTO, arguments, heights, pack, report
 from validation import Page, cook
 
@@ -19,10 +21,18 @@ and 121.7 mm (mean surface). A different seed or time step is a different packin
     runs = {"the paper's 5e-7 s": pack("packing_candies", template, options, options.paper_seeds),
             "automatic": pack("packing_candies", template, options, options.seeds, "_auto", AUTO)}
     report(page, runs, experiment=130.0, tolerance=1.0, total=250)
-    for label, group in runs.items():
-        mean = heights(group)[:, 0].mean()
-        page.claim(f"highest point, {label}, mean over {len(group)} seeds, within the experiment's 130.0 +- 1.0 mm ({mean:.2f} mm)",
-                   abs(mean - 130.0) <= 1.0)
+    highest, top_ten, surface = np.vstack([heights(group) for group in runs.values()]).mean(axis=0)
+    paper = heights(runs["the paper's 5e-7 s"])[:, 0].mean()
+    page.claim(f"highest point with the paper's time step, mean over {options.paper_seeds} seeds, within the experiment's 130.0 +- 1.0 mm "
+               f"({paper:.2f} mm)", abs(paper - 130.0) <= 1.0)
+    page.claim(f"mean of the ten highest, over all runs, within the 129.0 +- 1.0 mm of the paper's simulation ({top_ten:.2f} mm)",
+               abs(top_ten - 129.0) <= 1.0)
+    automatic = heights(runs["automatic"])[:, 0].mean()
+    page.shortfall(f"the same with the automatic time step, mean over {options.seeds} seeds ({automatic:.2f} mm)", abs(automatic - 130.0) <= 1.0)
+    page.text(f"""
+The highest point is one candy: the last ones come to lie on the others, and a single one in the middle (seed 2, automatic) reaches 3 mm above
+the next. Over all runs it is {highest:.1f} mm on average; more runs, not smaller time steps, would tell its mean to a millimetre. The
+mean surface, {surface:.1f} mm, is less a matter of luck.""")
     return page.finish()
 
 
