@@ -17,7 +17,7 @@ def arguments():
     parser = argparse.ArgumentParser()
     parser.add_argument("--seeds", type=int, default=3, help="runs with the automatic time step, minutes each")
     parser.add_argument("--paper-seeds", type=int, default=2, help="runs with the paper's time step, up to an hour each")
-    parser.add_argument("--variant-seeds", type=int, default=1, help="runs of every other way of filling")
+    parser.add_argument("--variant-seeds", type=int, default=3, help="runs of every other way of filling")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--reuse", action="store_true", help="take runs that are finished as they are")
     return parser.parse_args()
