@@ -98,6 +98,11 @@ class Program {
         return masses;
     }
 
+    [[noreturn]] static void fail() {
+        throw Error("clump",
+                    "found no masses for its spheres, expected them by linear programming");
+    }
+
   private:
     static constexpr int below = -1;  // sum - tolerance <= wanted
     static constexpr int above = 1;
@@ -162,11 +167,6 @@ class Program {
         glp_set_obj_coef(problem_.get(), tolerance_column(), 0.0);
     }
 
-    [[noreturn]] static void fail() {
-        throw Error("clump",
-                    "found no masses for its spheres, expected them by linear programming");
-    }
-
     bool solve() {
         glp_smcp settings;
         glp_init_smcp(&settings);
@@ -198,10 +198,15 @@ class Program {
         Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, rows, rows>> solver;
         solver.setThreshold(1e-9);
         const Row change = solver.compute(normal).solve(missing);
+        std::vector<double> factors;
         for (const auto& entries : columns_)
-            if (std::abs(Eigen::Map<const Row>(entries.data()).dot(change)) > 1e-3) return;
+            factors.push_back(1.0 + Eigen::Map<const Row>(entries.data()).dot(change));
+        // Larger changes are no rounding; the mass itself is met all the same.
+        const bool is_rounding = std::all_of(factors.begin(), factors.end(), [](double factor) {
+            return std::abs(factor - 1.0) <= 1e-3;
+        });
         for (std::size_t i = 0; i < masses.size(); ++i)
-            masses[i] *= 1.0 + Eigen::Map<const Row>(columns_[i].data()).dot(change);
+            masses[i] *= is_rounding ? factors[i] : 1.0 / sum[0];
     }
 
     int count_;
@@ -222,6 +227,7 @@ MassBalance balance_masses(std::span<const Ball> balls, const MassProperties& bo
         program.set_tolerance(group, tolerance);
         // At the very limit rounding may leave no way at all.
         for (double room = std::max(1e-6 * least, met); !program.is_feasible(); room *= 4.0) {
+            if (room > 1.0) Program::fail();
             tolerance = least + room;
             program.set_tolerance(group, tolerance);
         }

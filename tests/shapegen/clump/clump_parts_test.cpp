@@ -117,6 +117,22 @@ TEST(MassBalance, MeetsMassCenterAndInertia) {
     expect_balanced(balls, balance, body, 0.0);
 }
 
+// Whether the spheres can have the body's moments or not: none is negative, their sum is the body.
+TEST(MassBalance, MeetsTheMassOfAnyClump) {
+    for (std::uint32_t seed = 0; seed < 30; ++seed) {
+        const std::vector<Ball> balls = test::random_balls(3 + 2 * seed, seed);
+        MassProperties body;
+        body.volume = 3.0;
+        body.principal_moments_per_density = Vec3(2.2, 2.0, 0.4 + 0.1 * seed);
+        double sum = 0.0;
+        for (const double share : balance_masses(balls, body).shares) {
+            EXPECT_GE(share, 0.0);
+            sum += share;
+        }
+        EXPECT_NEAR(sum, body.volume, 1e-12 * body.volume) << balls.size() << " spheres";
+    }
+}
+
 TEST(MassBalance, AllowsTheErrorItNeeds) {
     // Two balls on a line have no freedom but their sizes: their moments are 1.24 and 0.24.
     const std::vector<Ball> balls{{Vec3(-1, 0, 0), std::sqrt(0.6)},
