@@ -82,4 +82,26 @@ ContactPoint sphere_point(std::uint32_t k, const typename SpheresInField<Field>:
             k};
 }
 
+/// A clump against a field of distances to a wall or another body. `sign`: 1 where the clump is i;
+/// `curvature`: of the partner, 0 for a wall [1/m].
+template <class Field>
+PairContact clump_in_field(const PlacedSpheres& spheres, const Field& field, double sign,
+                           double margin, double curvature, const NodeCall& call) {
+    const NodeMemory& memory = call.memory;
+    const Clump::Ball bound = spheres.bound();
+    if (memory.travel >= memory.cache.listed_until) {
+        const double gap =
+            field.sample(spheres.place(bound.center())).distance - bound.radius - field.slack;
+        if (gap > margin) return keep_apart(gap, memory);
+    }
+    const SpheresInField<Field> elements{spheres, field};
+    const auto touching =
+        touching_spheres(elements, margin, memory, [&](std::uint32_t k, const auto& sample) {
+            return sphere_point(k, sample, field, sign, ContactLaw::NodeNormal::gradient);
+        });
+    const double radius = touching.deepest.radius;
+    return contact_force(touching.points,
+                         curvature > 0.0 ? 1.0 / (1.0 / radius + curvature) : radius, call);
+}
+
 }  // namespace dem

@@ -11,24 +11,10 @@ namespace {
 /// `sign`: 1 where the clump is i.
 PairContact between(const PlacedSpheres& spheres, const ConvexField& field, double sign,
                     const NodeCall& call) {
-    const NodeMemory& memory = call.memory;
-    const Clump::Ball bound = spheres.bound();
-    const double margin = list_margin(std::min(bound.radius, field.shape->bounding_radius));
-    if (memory.travel >= memory.cache.listed_until) {
-        const double gap =
-            field.sample(spheres.place(bound.center())).distance - bound.radius - field.slack;
-        if (gap > margin) return keep_apart(gap, memory);
-    }
-    const SpheresInField<ConvexField> elements{spheres, field};
-    const auto touching =
-        touching_spheres(elements, margin, memory, [&](std::uint32_t k, const auto& sample) {
-            return sphere_point(k, sample, field, sign, ContactLaw::NodeNormal::gradient);
-        });
-    const double radius =
-        touching.points.empty()
-            ? 0.0
-            : 1.0 / (1.0 / touching.deepest.radius + 2.0 / field.shape->equivalent_diameter);
-    return contact_force(touching.points, radius, call);
+    const double margin =
+        list_margin(std::min(spheres.bound().radius, field.shape->bounding_radius));
+    return clump_in_field(spheres, field, sign, margin, 2.0 / field.shape->equivalent_diameter,
+                          call);
 }
 
 ConvexField field_of(const ConvexShape& shape, const Quat& orientation, const Vec3& center) {

@@ -12,20 +12,7 @@ namespace {
 
 template <class Field>
 PairContact against(const PlacedSpheres& spheres, const Field& field, const NodeCall& call) {
-    const NodeMemory& memory = call.memory;
-    const Clump::Ball bound = spheres.bound();
-    const double margin = list_margin(bound.radius);
-    if (memory.travel >= memory.cache.listed_until) {
-        const double gap =
-            field.sample(spheres.place(bound.center())).distance - bound.radius - field.slack;
-        if (gap > margin) return keep_apart(gap, memory);
-    }
-    const SpheresInField<Field> elements{spheres, field};
-    const auto touching =
-        touching_spheres(elements, margin, memory, [&](std::uint32_t k, const auto& sample) {
-            return sphere_point(k, sample, field, 1.0, ContactLaw::NodeNormal::gradient);
-        });
-    return contact_force(touching.points, touching.deepest.radius, call);
+    return clump_in_field(spheres, field, 1.0, list_margin(spheres.bound().radius), 0.0, call);
 }
 
 }  // namespace

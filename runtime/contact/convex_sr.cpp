@@ -34,22 +34,31 @@ ConvexField field_in(const NodeFrame& frame, const ConvexShape& shape, const Qua
             frame.to_world.transpose() * (center - frame.center)};
 }
 
+PlacedSr placed(const SrShape& shape, const Quat& orientation, const Vec3& center) {
+    return {shape, orientation, center};
+}
+PlacedCore placed(const ConvexShape& shape, const Quat& orientation, const Vec3& center) {
+    return {shape, orientation, center};
+}
+
+template <class A, class B>
+PairContact by_cores(const A& a, const B& b, const ConvexCall& call) {
+    const PairState& pair = call.pair;
+    return between_cores(placed(a, pair.i.orientation, Vec3::Zero()),
+                         placed(b, pair.j.orientation, pair.displacement),
+                         {a.equivalent_diameter, b.equivalent_diameter}, call);
+}
+
 }  // namespace
 
 PairContact collide(const SrShape& a, const ConvexShape& b, const PairState& pair,
                     const ContactLaw& law, double dt, const ConvexMemory& memory) {
-    const PlacedSr i(a, pair.i.orientation, Vec3::Zero());
-    const PlacedCore j(b, pair.j.orientation, pair.displacement);
-    return between_cores(i, j, {a.equivalent_diameter, b.equivalent_diameter},
-                         {pair, law, dt, memory});
+    return by_cores(a, b, {pair, law, dt, memory});
 }
 
 PairContact collide(const ConvexShape& a, const SrShape& b, const PairState& pair,
                     const ContactLaw& law, double dt, const ConvexMemory& memory) {
-    const PlacedCore i(a, pair.i.orientation, Vec3::Zero());
-    const PlacedSr j(b, pair.j.orientation, pair.displacement);
-    return between_cores(i, j, {a.equivalent_diameter, b.equivalent_diameter},
-                         {pair, law, dt, memory});
+    return by_cores(a, b, {pair, law, dt, memory});
 }
 
 PairContact collide(const SrShape& a, const ConvexShape& b, const PairState& pair,

@@ -81,6 +81,19 @@ Scene batches_into_a_turning_vessel() {
     return scene;
 }
 
+/// `count` bodies of the first `kinds` kinds, falling into a vessel that soon begins to turn.
+void pour_into_turning_vessel(Scene& scene, std::uint32_t count, std::uint32_t kinds) {
+    std::vector<BodyPlacement> bodies = scenes::column(count, kinds, 25e-3, 13.5e-3);
+    for (BodyPlacement& body : bodies) body.velocity = {0.3, 0.2, -1.5};
+    scene.insertions.push_back(scenes::placed(bodies));
+    scenes::add_vessel(scene, 25e-3);
+    for (Wall& wall : scene.walls) {
+        wall.motion.kind = WallMotion::Kind::rotate;
+        wall.motion.rate = 15.0;
+        wall.motion.from = 0.005;
+    }
+}
+
 // Candies, peanuts and spheres fall into a vessel that turns: every pair of kinds.
 Scene mixture(ContactLaw::Method method) {
     ContactLaw options;
@@ -91,15 +104,7 @@ Scene mixture(ContactLaw::Method method) {
     scenes::add_kind(scene, candy);
     scenes::add_kind(scene, peanut);
     scenes::add_kind(scene, scenes::sphere(5e-3));
-    std::vector<BodyPlacement> bodies = scenes::column(60, 3, 25e-3, 13.5e-3);
-    for (BodyPlacement& body : bodies) body.velocity = {0.3, 0.2, -1.5};
-    scene.insertions.push_back(scenes::placed(bodies));
-    scenes::add_vessel(scene, 25e-3);
-    for (Wall& wall : scene.walls) {
-        wall.motion.kind = WallMotion::Kind::rotate;
-        wall.motion.rate = 15.0;
-        wall.motion.from = 0.005;
-    }
+    pour_into_turning_vessel(scene, 60, 3);
     return scene;
 }
 Scene continuous_mixture() {
@@ -119,15 +124,7 @@ Scene clump_mixture() {
     scenes::add_kind(scene, scenes::dumbbell_clump());
     scenes::add_kind(scene, candy);
     scenes::add_kind(scene, scenes::sphere(4e-3));
-    std::vector<BodyPlacement> bodies = scenes::column(60, 5, 25e-3, 13.5e-3);
-    for (BodyPlacement& body : bodies) body.velocity = {0.3, 0.2, -1.5};
-    scene.insertions.push_back(scenes::placed(bodies));
-    scenes::add_vessel(scene, 25e-3);
-    for (Wall& wall : scene.walls) {
-        wall.motion.kind = WallMotion::Kind::rotate;
-        wall.motion.rate = 15.0;
-        wall.motion.from = 0.005;
-    }
+    pour_into_turning_vessel(scene, 60, 5);
     return scene;
 }
 
@@ -147,15 +144,7 @@ Scene convex_mixture() {
     scenes::add_kind(scene, scenes::convex(make_cone(0.5 * d, d, 0.02 * d)));
     scenes::add_kind(scene, scenes::dumbbell_clump());
     scenes::add_kind(scene, scenes::convex(make_capsule(0.3 * d, 1.2 * d)));
-    std::vector<BodyPlacement> bodies = scenes::column(50, 10, 25e-3, 13.5e-3);
-    for (BodyPlacement& body : bodies) body.velocity = {0.3, 0.2, -1.5};
-    scene.insertions.push_back(scenes::placed(bodies));
-    scenes::add_vessel(scene, 25e-3);
-    for (Wall& wall : scene.walls) {
-        wall.motion.kind = WallMotion::Kind::rotate;
-        wall.motion.rate = 15.0;
-        wall.motion.from = 0.005;
-    }
+    pour_into_turning_vessel(scene, 50, 10);
     return scene;
 }
 
