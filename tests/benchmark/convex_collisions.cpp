@@ -2,7 +2,7 @@
 #include "common/error.hpp"
 #include "runtime/contact/convex_convex.hpp"
 #include "runtime/contact_law/pair_law.hpp"
-#include "tests/common/shapes/sample_convex.hpp"
+#include "tests/physics/convex_combinations.hpp"
 #include "tests/physics/two_bodies.hpp"
 
 #include <algorithm>
@@ -27,28 +27,6 @@ constexpr double density = 1000.0;  // [kg/m^3]
 constexpr double size = 0.01;       // [m]
 constexpr double speed = 0.2;       // of approach, or standard deviation [m/s]
 constexpr double stiffness = 1e4;   // k_n [N/m]
-
-struct Combination {
-    const char* name;
-    ConvexSolid a, b;
-};
-
-std::vector<Combination> combinations() {
-    const double r = 0.01 * size;
-    const auto ball = make_convex_sphere(0.5 * size);
-    const auto egg = make_ellipsoid(size * Vec3(0.7, 0.5, 0.35));
-    const auto cylinder = make_cylinder(0.45 * size, 0.9 * size, r);
-    const auto tetrahedron = make_convex_polyhedron(tetrahedron_corners(1.3 * size), r);
-    const auto cube = make_cuboid(Vec3::Constant(0.8 * size), r);
-    return {{"sphere - sphere", ball, ball},
-            {"ellipsoid - ellipsoid", egg, egg},
-            {"cylinder - cylinder", cylinder, cylinder},
-            {"tetrahedron - tetrahedron", tetrahedron, tetrahedron},
-            {"cube - cube", cube, cube},
-            {"cube - sphere", cube, ball},
-            {"cube - cylinder", cube, cylinder},
-            {"ellipsoid - tetrahedron", egg, tetrahedron}};
-}
 
 InverseInertia inertia_of(const ConvexSolid& solid) {
     const MassProperties& m = solid.mass_properties;
@@ -182,7 +160,7 @@ void print_table(ContactLaw::Method method, int wanted) {
     options.friction = 1e9;
     const ContactLaw rough = linear_law(stiffness, 1.0, 1.0, options);
     std::printf("combination,approach,fraction,friction,collisions,mean,worst,spring_share\n");
-    for (const Combination& pair : combinations()) {
+    for (const Combination& pair : combinations(size)) {
         const auto print = [&](const ContactLaw& law, double fraction, Approach approach) {
             const Mean m = mean_of(pair, law, fraction, approach, wanted);
             std::printf("%s,%s,%g,%g,%d,%.3e,%.3e,%.3e\n", pair.name,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/hdf5_reader.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/formats/temporary_folder.hpp"
 
 #include <algorithm>
 
@@ -19,21 +20,12 @@ const char* const small_case =
     "region = box -20 -20 0 20 20 40 mm\n"
     "[wall.room]\nshape = box\nlower = -20 -20 0 mm\nupper = 20 20 60 mm\nmaterial = m\n";
 
-class Demrun : public testing::Test {
+class Demrun : public TemporaryFolder {
   protected:
-    Demrun()
-        : folder_(fs::path(testing::TempDir()) /
-                  (std::string("demrun_") +
-                   testing::UnitTest::GetInstance()->current_test_info()->name())) {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-        std::ofstream(folder_ / "case.ini") << small_case;
-    }
-    ~Demrun() override { fs::remove_all(folder_); }
+    Demrun() { write("case.ini", small_case); }
     Outcome demrun(const std::string& arguments) const {
         return run_command(program("demrun") + " " + arguments, folder_);
     }
-    fs::path folder_;
 };
 
 TEST_F(Demrun, AWrongCommandLineIsTwo) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/template_reader.hpp"
+#include "tests/formats/temporary_folder.hpp"
 
-#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -28,18 +28,12 @@ std::string content(const fs::path& path) {
 }
 
 /// Runs the program in an empty folder of its own.
-class ShapegenCli : public testing::Test {
+class ShapegenCli : public TemporaryFolder {
   protected:
     struct Result {
         int code;
         std::string out, err;
     };
-
-    void SetUp() override {
-        std::array<char, 40> name{"/tmp/shapegen_cli_XXXXXX"};
-        folder_ = mkdtemp(name.data());
-    }
-    void TearDown() override { fs::remove_all(folder_); }
 
     /// `before`: shell words in front of the program, `after`: behind the arguments.
     Result run(const std::string& arguments, const std::string& before = "",
@@ -55,10 +49,6 @@ class ShapegenCli : public testing::Test {
                       content(streams / "err")};
         fs::remove_all(streams);
         return result;
-    }
-
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name) << text;
     }
 
     std::set<std::string> files() const {
@@ -77,8 +67,6 @@ class ShapegenCli : public testing::Test {
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
         EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
     }
-
-    fs::path folder_;
 };
 
 TEST_F(ShapegenCli, CooksEveryProfileThatShips) {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `shapegen MESH|PROFILE --clump ...` as a user types it.
-#include "formats/template_reader.hpp"
-#include "tests/cli/program.hpp"
+#include "tests/cli/shapegen_fixture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -47,39 +44,7 @@ std::string box(const Vec3& corner = Vec3(10.0, -20.0, 5.0)) {
     return boxes({{corner, Vec3(2.0, 3.0, 4.0)}});
 }
 
-class ShapegenClump : public testing::Test {
-  protected:
-    void SetUp() override {
-        std::array<char, 40> name{"/tmp/shapegen_clump_XXXXXX"};
-        folder_ = mkdtemp(name.data());
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name) << text;
-    }
-    Outcome run(const std::string& arguments, const std::string& before = "") const {
-        return run_command(before + program("shapegen") + " " + arguments, folder_);
-    }
-    /// Cooks quietly, which must work.
-    ParticleTemplate cook(const std::string& arguments, const std::string& before = "") const {
-        const Outcome outcome = run(arguments + " -q -o out.tpl", before);
-        EXPECT_EQ(outcome.code, 0) << outcome.errors;
-        EXPECT_EQ(outcome.output + outcome.errors, "");
-        return read_template(folder_ / "out.tpl").shapes.at(0);
-    }
-    void expect_failure(const std::string& arguments, int code, const std::string& words) const {
-        const Outcome outcome = run(arguments + " -q -o out.tpl");
-        EXPECT_EQ(outcome.code, code) << arguments;
-        EXPECT_EQ(outcome.errors.rfind("shapegen: error: ", 0), 0U) << outcome.errors;
-        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1)
-            << outcome.errors;
-        EXPECT_NE(outcome.errors.find(words), std::string::npos) << outcome.errors;
-        EXPECT_FALSE(fs::exists(folder_ / "out.tpl"));
-    }
-
-    fs::path folder_;
-};
+class ShapegenClump : public ShapegenFixture {};
 
 double entry(const ParticleTemplate& shape, const std::string& name) {
     for (const auto& [key, value] : shape.certificate)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `shapegen SHAPE.convex`, `shapegen MESH --convex` and `shapegen generate` as a user types them.
 #include "common/shapes/triangle_mesh.hpp"
-#include "formats/template_reader.hpp"
-#include "tests/cli/program.hpp"
+#include "tests/cli/shapegen_fixture.hpp"
 #include "tests/common/shapes/sample_meshes.hpp"
 
 #include <algorithm>
@@ -53,46 +52,12 @@ std::map<std::string, double> certificate(const ParticleTemplate& shape) {
     return {shape.certificate.begin(), shape.certificate.end()};
 }
 
-class ShapegenConvex : public testing::Test {
-  protected:
-    void SetUp() override {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / ("convex_" + std::string(info->name()));
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name) << text;
-    }
-    Outcome run(const std::string& arguments, const std::string& before = "") const {
-        return run_command(before + program("shapegen") + " " + arguments, folder_);
-    }
-    /// Cooks quietly, which must work.
-    TemplateFile cook(const std::string& arguments, const std::string& before = "") const {
-        const Outcome outcome = run(arguments + " -q -o out.tpl", before);
-        EXPECT_EQ(outcome.code, 0) << outcome.errors;
-        EXPECT_EQ(outcome.output + outcome.errors, "");
-        return read_template(folder_ / "out.tpl");
-    }
-    void expect_failure(const std::string& arguments, int code, const std::string& words) const {
-        const Outcome outcome = run(arguments + " -q -o out.tpl");
-        EXPECT_EQ(outcome.code, code) << arguments;
-        EXPECT_EQ(outcome.errors.rfind("shapegen: error: ", 0), 0U) << outcome.errors;
-        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1)
-            << outcome.errors;
-        EXPECT_NE(outcome.errors.find(words), std::string::npos) << outcome.errors;
-        EXPECT_FALSE(fs::exists(folder_ / "out.tpl"));
-    }
-
-    fs::path folder_;
-};
+class ShapegenConvex : public ShapegenFixture {};
 
 TEST_F(ShapegenConvex, CooksEveryFileOfTheData) {
     int files = 0;
     for (const auto& entry : fs::directory_iterator(DEM_SOURCE_DIR "/data/convex")) {
-        const ParticleTemplate shape = cook("'" + entry.path().string() + "'").shapes.at(0);
+        const ParticleTemplate shape = cook("'" + entry.path().string() + "'");
         EXPECT_EQ(shape.name, entry.path().stem());
         EXPECT_TRUE(shape.is_convex);
         EXPECT_EQ(shape.input_unit, 1e-3);
@@ -105,7 +70,7 @@ TEST_F(ShapegenConvex, CooksEveryFileOfTheData) {
 
 TEST_F(ShapegenConvex, SaysHowMuchTheHullAddsToAMesh) {
     write("l.off", l_shape());
-    const ParticleTemplate shape = cook("l.off --convex --rounding 0% --unit m").shapes.at(0);
+    const ParticleTemplate shape = cook("l.off --convex --rounding 0% --unit m");
     EXPECT_NEAR(shape.mass_properties.volume, 3.5, 1e-12);
     EXPECT_NEAR(certificate(shape).at("hull_excess"), 0.5 / 3.0, 1e-12);
     EXPECT_EQ(std::get<ConvexShape>(shape.shape).vertices.size(), 10U);
@@ -121,17 +86,17 @@ TEST_F(ShapegenConvex, SaysHowMuchTheHullAddsToAMesh) {
 
 TEST_F(ShapegenConvex, AConvexMeshIsItsOwnHull) {
     write("ball.off", off_file(sample::sphere(1.0, 3)));
-    const ParticleTemplate shape = cook("ball.off --convex --rounding 0%").shapes.at(0);
+    const ParticleTemplate shape = cook("ball.off --convex --rounding 0%");
     EXPECT_NEAR(certificate(shape).at("hull_excess"), 0.0, 1e-6);
-    const ParticleTemplate rounded = cook("ball.off --convex").shapes.at(0);
+    const ParticleTemplate rounded = cook("ball.off --convex");
     EXPECT_NEAR(certificate(rounded).at("rounding"), 0.01, 1e-5);
     EXPECT_GT(certificate(rounded).at("rounding_loss"), 0.0);
     EXPECT_LT(certificate(rounded).at("rounding_loss"), 1e-3);
 }
 
 TEST_F(ShapegenConvex, KeepsTheVerticesOfTheBunnyThatMatterMost) {
-    const ParticleTemplate full = cook(bunny + " --convex").shapes.at(0);
-    const ParticleTemplate few = cook(bunny + " --convex --vertices 50").shapes.at(0);
+    const ParticleTemplate full = cook(bunny + " --convex");
+    const ParticleTemplate few = cook(bunny + " --convex --vertices 50");
     const auto& core = std::get<ConvexShape>(few.shape);
     EXPECT_EQ(core.vertices.size(), 50U);
     const double d_eq = core.equivalent_diameter;
@@ -161,13 +126,13 @@ TEST_F(ShapegenConvex, GeneratesTheSameLibraryForAnyNumberOfThreads) {
     const std::string command = "generate sand --count 300 --seed 4";
     cook(command, "OMP_NUM_THREADS=1 ");
     const std::string first = content(folder_ / "out.tpl");
-    const TemplateFile library = cook(command, "OMP_NUM_THREADS=3 ");
+    const TemplateFile library = cook_file(command, "OMP_NUM_THREADS=3 ");
     EXPECT_EQ(content(folder_ / "out.tpl"), first);
     ASSERT_EQ(library.shapes.size(), 300U);
     EXPECT_EQ(library.shapes[17].name, "sand_000017");
     // A shorter library is its beginning; another seed is another library.
-    const TemplateFile shorter = cook("generate sand --count 20 --seed 4");
-    const TemplateFile other = cook("generate sand --count 20 --seed 5");
+    const TemplateFile shorter = cook_file("generate sand --count 20 --seed 4");
+    const TemplateFile other = cook_file("generate sand --count 20 --seed 5");
     for (std::size_t k = 0; k < 20; ++k) {
         const double volume = library.shapes[k].mass_properties.volume;
         EXPECT_EQ(shorter.shapes[k].mass_properties.volume, volume);
@@ -176,8 +141,8 @@ TEST_F(ShapegenConvex, GeneratesTheSameLibraryForAnyNumberOfThreads) {
 }
 
 TEST_F(ShapegenConvex, SizesOfGeneratedShapesScaleAndPicturesShowThem) {
-    const TemplateFile small = cook("generate woodchips --count 30 --size '6 mm'");
-    const TemplateFile large = cook("generate woodchips --count 30 --size '12 mm'");
+    const TemplateFile small = cook_file("generate woodchips --count 30 --size '6 mm'");
+    const TemplateFile large = cook_file("generate woodchips --count 30 --size '12 mm'");
     for (std::size_t k = 0; k < 30; ++k)
         EXPECT_NEAR(large.shapes[k].mass_properties.volume,
                     8.0 * small.shapes[k].mass_properties.volume,

@@ -2,7 +2,7 @@
 #include "runtime/contact/convex_convex.hpp"
 #include "runtime/contact/convex_wall.hpp"
 #include "runtime/contact_law/pair_law.hpp"
-#include "tests/common/shapes/sample_convex.hpp"
+#include "tests/physics/convex_combinations.hpp"
 #include "tests/physics/two_bodies.hpp"
 
 #include <algorithm>
@@ -37,30 +37,15 @@ struct Energies {
     int count = 0;
 };
 
-/// The eight combinations of [GC] Sec. 6.2 and two more.
-struct Combination {
-    const char* name;
-    ConvexSolid a, b;
-};
-std::vector<Combination> combinations() {
+/// Those of the paper and two more.
+std::vector<Combination> all_combinations() {
     const double r = 0.01 * size;
-    const auto ball = make_convex_sphere(0.5 * size);
-    const auto egg = make_ellipsoid(size * Vec3(0.7, 0.5, 0.35));
-    const auto cylinder = make_cylinder(0.45 * size, 0.9 * size, r);
-    const auto tetrahedron = make_convex_polyhedron(tetrahedron_corners(1.3 * size), r);
-    const auto cube = make_cuboid(Vec3::Constant(0.8 * size), r);
     const auto cone = make_cone(0.5 * size, 0.9 * size, r);
     const auto grain = make_convex_polyhedron(random_points(20, size * Vec3(0.5, 0.6, 0.4), 1), r);
-    return {{"sphere", ball, ball},
-            {"ellipsoid", egg, egg},
-            {"cylinder", cylinder, cylinder},
-            {"tetrahedron", tetrahedron, tetrahedron},
-            {"cube", cube, cube},
-            {"cube-sphere", cube, ball},
-            {"cube-cylinder", cube, cylinder},
-            {"ellipsoid-tetrahedron", egg, tetrahedron},
-            {"grain", grain, grain},
-            {"cone", cone, cone}};
+    std::vector<Combination> all = combinations(size);
+    all.push_back({"grain - grain", grain, grain});
+    all.push_back({"cone - cone", cone, cone});
+    return all;
 }
 
 /// A body axis that is normal to a face, in the frame of the body.
@@ -123,12 +108,21 @@ Energies bounces(const Combination& pair, int wanted, double fraction, double ti
     return energies;
 }
 
+/// What the mean error may be: 1e-5, but where the force is known not to be the gradient of one
+/// energy everywhere (docs/validation/binary_collisions.md).
+double allowed_error(const std::string& pair, bool is_parallel) {
+    if (is_parallel && pair == "cylinder - cylinder") return 6e-5;
+    if (is_parallel && pair == "cube - cylinder") return 3e-4;
+    if (!is_parallel && pair == "grain - grain") return 2e-4;
+    return 1e-5;
+}
+
 TEST(ConvexCollision, ElasticBouncesKeepTheEnergy) {
-    for (const Combination& pair : combinations()) {
+    for (const Combination& pair : all_combinations()) {
         for (const double tilt : {pi, 0.03}) {
             const Energies e = bounces(pair, 10, 300.0, tilt);
             ASSERT_EQ(e.count, 10) << pair.name;
-            EXPECT_LT(e.mean, 2e-4) << pair.name << " tilt " << tilt;
+            EXPECT_LT(e.mean, allowed_error(pair.name, tilt < pi)) << pair.name << " tilt " << tilt;
             RecordProperty(std::string(pair.name) + (tilt < pi ? "_parallel" : ""),
                            std::to_string(1e9 * e.mean));
         }

@@ -4,6 +4,7 @@
 #include "runtime/case/region.hpp"
 #include "runtime/case/values.hpp"
 #include "runtime/contact_law/pair_law.hpp"
+#include "tests/formats/temporary_folder.hpp"
 #include "tests/runtime/case/case_text.hpp"
 
 #include <fstream>
@@ -216,13 +217,8 @@ TEST(Region, VolumeAndExtentAreThoseOfTheSolid) {
     EXPECT_DOUBLE_EQ(bounds(cylinder).upper.z(), 2.0);
 }
 
-class BodyFile : public testing::Test {
+class BodyFile : public TemporaryFolder {
   protected:
-    // One file per test: they run at the same time.
-    BodyFile()
-        : path_(testing::TempDir() + "case_test_" +
-                testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv") {}
-    ~BodyFile() override { std::remove(path_.c_str()); }
     std::string message(const std::string& table, const std::string& more = "") {
         std::ofstream(path_) << table;
         return case_message(case_text(more));
@@ -233,7 +229,7 @@ class BodyFile : public testing::Test {
             "file = " +
             path_ + "\n" + more);
     }
-    std::string path_;
+    const std::string path_ = (folder_ / "bodies.csv").string();
 };
 
 TEST_F(BodyFile, RowsBecomePlacements) {

@@ -3,6 +3,7 @@
 
 #include "common/random.hpp"
 #include "runtime/contact/touch.hpp"
+#include "tests/formats/temporary_folder.hpp"
 #include "tests/runtime/case/case_text.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
 
@@ -241,12 +242,8 @@ TEST(InsertBatchesAlone, ARegionTooSmallForOneBodyIsAnError) {
     EXPECT_NE(insertion_message(scene).find("cannot hold one body"), std::string::npos);
 }
 
-class InsertFile : public testing::Test {
+class InsertFile : public TemporaryFolder {
   protected:
-    InsertFile()
-        : path_(testing::TempDir() + "inserter_test_" +
-                testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv") {}
-    ~InsertFile() override { std::remove(path_.c_str()); }
     std::string message(const std::string& rows, const std::string& more = "") {
         std::ofstream(path_) << rows;
         return insertion_message(
@@ -254,7 +251,7 @@ class InsertFile : public testing::Test {
                                  "material = coating\ninsert = file\nfile = " +
                                  path_ + "\n" + more)));
     }
-    std::string path_;
+    const std::string path_ = (folder_ / "bodies.csv").string();
 };
 
 TEST_F(InsertFile, ARowThatOverlapsIsNamed) {

@@ -5,6 +5,7 @@
 #include "formats/body_table.hpp"
 #include "formats/hdf5_reader.hpp"
 #include "runtime/output/folder_lock.hpp"
+#include "tests/formats/temporary_folder.hpp"
 #include "tests/runtime/simulation/scenes.hpp"
 
 #include <filesystem>
@@ -17,16 +18,8 @@
 namespace dem {
 namespace {
 
-class Run : public testing::Test {
+class Run : public TemporaryFolder {
   protected:
-    void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        directory_ =
-            std::filesystem::temp_directory_path() / (std::string("run_test_") + test->name());
-        std::filesystem::remove_all(directory_);
-    }
-    void TearDown() override { std::filesystem::remove_all(directory_); }
-
     Scene bouncing_sphere() const {
         Scene scene = scenes::one_material({1e7, 2500.0, 0.5, 0.4});
         scenes::add_kind(scene, scenes::sphere(5e-3));
@@ -52,7 +45,7 @@ class Run : public testing::Test {
         return result;
     }
 
-    std::filesystem::path directory_;
+    const std::filesystem::path directory_ = folder_ / "run";
 };
 
 TEST_F(Run, WritesEverythingThatIsDue) {
