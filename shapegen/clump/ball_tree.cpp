@@ -60,23 +60,26 @@ std::uint32_t BallTree::build(std::uint32_t first, std::uint32_t last) {
     return index;
 }
 
-BallTree::Answer BallTree::nearest(const Vec3& x, std::uint32_t likely) const {
+BallTree::CloseAnswer BallTree::nearest_two(const Vec3& x, std::uint32_t likely,
+                                            double room) const {
     std::array<std::uint32_t, largest_stack> stack;
     std::size_t size = 0;
     stack[size++] = 0;
     const auto distance_to = [&x](const Ball& ball) {
         return (x - ball.center).norm() - ball.radius;
     };
-    Answer best{likely, distance_to(items_[places_[likely]].ball)};
+    CloseAnswer best{{likely, distance_to(items_[places_[likely]].ball)}, 0.0};
+    double second = std::numeric_limits<double>::infinity();
     while (size > 0) {
         const std::uint32_t index = stack[--size];
         const Node& node = nodes_[index];
         // Outside of a ball it is at least as far as its box, and nowhere deeper in it than its
         // radius. A little more than these: rounding must not hide an equally near ball.
+        const double reach = std::min(second, best.distance + room) + rounding_;
         const Vec3 out = (node.lower - x).cwiseMax(x - node.upper).cwiseMax(0.0);
-        if (out.squaredNorm() > square(std::max(best.distance, 0.0) + rounding_)) continue;
+        if (out.squaredNorm() > square(std::max(reach, rounding_))) continue;
         const Vec3 off = (node.lowest_center - x).cwiseMax(x - node.highest_center).cwiseMax(0.0);
-        const double limit = best.distance + node.largest_radius + rounding_;
+        const double limit = reach + node.largest_radius;
         if (limit < 0.0 || off.squaredNorm() > square(limit)) continue;
         if (node.right != 0) {
             stack[size++] = node.right;
@@ -84,12 +87,18 @@ BallTree::Answer BallTree::nearest(const Vec3& x, std::uint32_t likely) const {
             continue;
         }
         for (std::uint32_t n = node.first; n < node.last; ++n) {
+            const std::uint32_t ball = items_[n].index;
+            if (ball == best.ball) continue;
             const double distance = distance_to(items_[n].ball);
-            if (distance < best.distance ||
-                (distance == best.distance && items_[n].index < best.ball))
-                best = {items_[n].index, distance};
+            if (distance < best.distance || (distance == best.distance && ball < best.ball)) {
+                second = best.distance;
+                best = {{ball, distance}, 0.0};
+            } else {
+                second = std::min(second, distance);
+            }
         }
     }
+    best.others = std::min(second, best.distance + room);
     return best;
 }
 

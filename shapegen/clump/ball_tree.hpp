@@ -25,11 +25,21 @@ class BallTree {
 
     /// The ball whose surface is nearest to x, or that holds it deepest: least |x - c| - r; of
     /// equally near balls the one with the lowest index. Sooner when `likely` is the ball, or near.
-    Answer nearest(const Vec3& x, std::uint32_t likely = 0) const;
+    Answer nearest(const Vec3& x, std::uint32_t likely = 0) const {
+        return nearest_two(x, likely, 0.0);
+    }
 
-    /// Calls visit(index) for each ball that has a point in common with the inside of `other`.
+    /// The same with a bound of how near the other balls are: no nearer than `others`, which is the
+    /// distance of the second nearest or `room` more than that of the nearest [m].
+    struct CloseAnswer : Answer {
+        double others;
+    };
+    CloseAnswer nearest_two(const Vec3& x, std::uint32_t likely, double room) const;
+
+    /// Calls visit(index) for each ball of at least that radius which has a point in common with
+    /// the inside of `other`.
     template <class Visit>
-    void visit_meeting(const Ball& other, const Visit& visit) const;
+    void visit_meeting(const Ball& other, double smallest_radius, const Visit& visit) const;
 
   private:
     // Halving 2^32 balls leaves at most 32 right children waiting.
@@ -55,13 +65,14 @@ class BallTree {
 };
 
 template <class Visit>
-void BallTree::visit_meeting(const Ball& other, const Visit& visit) const {
+void BallTree::visit_meeting(const Ball& other, double smallest_radius, const Visit& visit) const {
     std::array<std::uint32_t, largest_stack> stack;
     std::size_t size = 0;
     stack[size++] = 0;
     while (size > 0) {
         const std::uint32_t index = stack[--size];
         const Node& node = nodes_[index];
+        if (node.largest_radius < smallest_radius) continue;
         const Vec3& c = other.center;
         const Vec3 out = (node.lower - c).cwiseMax(c - node.upper).cwiseMax(0.0);
         if (out.squaredNorm() > square(other.radius + rounding_)) continue;
@@ -72,7 +83,8 @@ void BallTree::visit_meeting(const Ball& other, const Visit& visit) const {
         }
         for (std::uint32_t n = node.first; n < node.last; ++n) {
             const Ball& ball = items_[n].ball;
-            if ((ball.center - c).squaredNorm() < square(ball.radius + other.radius))
+            if (ball.radius >= smallest_radius &&
+                (ball.center - c).squaredNorm() < square(ball.radius + other.radius))
                 visit(items_[n].index);
         }
     }

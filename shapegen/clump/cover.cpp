@@ -2,6 +2,7 @@
 #include "shapegen/clump/cover.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <queue>
 
@@ -17,11 +18,34 @@ struct Bid {
     }
 };
 
+/// A bid and how many balls had been chosen when its gain was counted.
+struct DatedBid : Bid {
+    std::size_t counted_at;
+};
+
 /// No more cells have their centers in the ball: they fit into one that is larger by half a cell's
 /// diagonal.
 std::size_t most_cells(const Ball& ball, double cell_size) {
     const double r = ball.radius / cell_size + 0.5 * std::sqrt(3.0);
     return static_cast<std::size_t>(4.0 / 3.0 * pi * cube(r)) + 1;
+}
+
+/// Counts the highest bids anew, several at once: mostly a choice takes a hundred. Those that gain
+/// nothing any more are left out.
+void count_top(std::span<const Ball> candidates, const CellCover& cover, std::size_t now,
+               std::priority_queue<DatedBid>& heap) {
+    constexpr std::size_t most = 16;
+    std::array<DatedBid, most> stale;
+    std::size_t count = 0;
+    for (; count < most && !heap.empty() && heap.top().counted_at != now; ++count) {
+        stale[count] = heap.top();
+        heap.pop();
+    }
+#pragma omp parallel for schedule(dynamic)
+    for (std::size_t n = 0; n < count; ++n)
+        stale[n] = {{cover.gain(candidates[stale[n].candidate]), stale[n].candidate}, now};
+    for (std::size_t n = 0; n < count; ++n)
+        if (stale[n].gain > 0) heap.push(stale[n]);
 }
 
 bool is_reached(const CoverGoal& goal, const CellCover& cover, std::size_t count) {
@@ -32,22 +56,20 @@ bool is_reached(const CoverGoal& goal, const CellCover& cover, std::size_t count
 
 void cover_greedily(std::span<const Ball> candidates, const CoverGoal& goal, CellCover& cover,
                     std::vector<std::uint32_t>& chosen) {
-    std::vector<Bid> bids;
+    constexpr std::size_t never = SIZE_MAX;
+    std::vector<DatedBid> bids;
     for (std::uint32_t i = 0; i < candidates.size(); ++i)
-        bids.push_back({most_cells(candidates[i], cover.cell_size()), i});
-    std::priority_queue<Bid> heap({}, std::move(bids));
+        bids.push_back({{most_cells(candidates[i], cover.cell_size()), i}, never});
+    std::priority_queue<DatedBid> heap({}, std::move(bids));
     while (!heap.empty() && !is_reached(goal, cover, chosen.size())) {
-        Bid top = heap.top();
-        heap.pop();
-        const std::size_t gain = cover.gain(candidates[top.candidate]);
-        if (gain == 0) continue;
-        top.gain = gain;
-        if (!heap.empty() && top < heap.top()) {
-            heap.push(top);
+        if (heap.top().counted_at != chosen.size()) {
+            count_top(candidates, cover, chosen.size(), heap);
             continue;
         }
-        chosen.push_back(top.candidate);
-        cover.insert(candidates[top.candidate]);
+        const std::uint32_t best = heap.top().candidate;
+        heap.pop();
+        chosen.push_back(best);
+        cover.insert(candidates[best]);
     }
 }
 

@@ -120,9 +120,8 @@ void Exchange::find_rivals(const Ball& old, const Gap& gap) {
     rivals_.clear();
     // A ball of fewer cells than are to be won is no rival.
     const double smallest = cover_.cell_size() * (std::cbrt(0.75 / pi * open) - 0.9);
-    tree_->visit_meeting(old, [&](std::uint32_t i) {
+    tree_->visit_meeting(old, smallest, [&](std::uint32_t i) {
         const Ball& c = candidates_[i];
-        if (c.radius < smallest) return;
         if (!gap.may_hold(1.0 - doubt - gains_[i] / open, c)) return;
         rivals_.push_back({gains_[i] + gap.share(c) * open, i});
     });

@@ -4,6 +4,8 @@
 #include "shapegen/clump/ball_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <Eigen/Cholesky>
 
@@ -13,32 +15,54 @@ namespace {
 using Vec4 = Eigen::Matrix<double, 4, 1>;
 using Mat4 = Eigen::Matrix<double, 4, 4>;
 
-/// Numbers of the samples, ordered by the ball they are assigned to.
-struct Assignment {
-    std::vector<std::uint32_t> samples;
-    std::vector<std::uint32_t> begin;  ///< of each ball's; one more at the end
-    double sum_of_squares = 0.0;       ///< of the distances [m^2]
+/// The ball that each sample is nearest to, kept up to date while the balls move. A sample whose
+/// next ball is farther away than the balls can have come since is not searched anew.
+class Assignment {
+  public:
+    explicit Assignment(std::span<const SurfaceSample> samples)
+        : samples_(samples),
+          answers_(samples.size(), {{0, 0.0}, -std::numeric_limits<double>::infinity()}) {}
+
+    /// After the balls have moved, none of their surfaces by more than `drift` [m].
+    void update(std::span<const Ball> balls, double drift);
+
+    /// Numbers of the samples of a ball.
+    std::span<const std::uint32_t> samples_of(std::size_t ball) const {
+        return std::span(order_).subspan(begin_[ball], begin_[ball + 1] - begin_[ball]);
+    }
+    double sum_of_squares() const { return sum_of_squares_; }  ///< of the distances [m^2]
+
+  private:
+    std::span<const SurfaceSample> samples_;
+    std::vector<BallTree::CloseAnswer> answers_;
+    std::vector<std::uint32_t> order_;  ///< by the ball
+    std::vector<std::uint32_t> begin_;  ///< of each ball's; one more at the end
+    double sum_of_squares_ = 0.0;
 };
 
-/// `answers` are those of the last time: balls that are likely again.
-Assignment assign(std::span<const SurfaceSample> samples, std::span<const Ball> balls,
-                  std::vector<BallTree::Answer>& answers) {
+void Assignment::update(std::span<const Ball> balls, double drift) {
     const BallTree tree(balls);
-    answers.resize(samples.size(), {0, 0.0});
+    // Searching wider than needed costs little and saves searches to come.
+    const double room = 4.0 * drift;
 #pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < samples.size(); ++i)
-        answers[i] = tree.nearest(samples[i].point, answers[i].ball);
-    Assignment result;
-    result.begin.assign(balls.size() + 1, 0);
-    for (const auto& answer : answers) {
-        ++result.begin[answer.ball + 1];
-        result.sum_of_squares += square(answer.distance);
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        BallTree::CloseAnswer& answer = answers_[i];
+        const Vec3& x = samples_[i].point;
+        const Ball& ball = balls[answer.ball];
+        answer.distance = (x - ball.center).norm() - ball.radius;
+        answer.others -= drift;
+        if (!(answer.distance < answer.others)) answer = tree.nearest_two(x, answer.ball, room);
     }
-    for (std::size_t b = 0; b < balls.size(); ++b) result.begin[b + 1] += result.begin[b];
-    result.samples.resize(samples.size());
-    std::vector<std::uint32_t> next(result.begin.begin(), result.begin.end() - 1);
-    for (std::uint32_t i = 0; i < samples.size(); ++i) result.samples[next[answers[i].ball]++] = i;
-    return result;
+    begin_.assign(balls.size() + 1, 0);
+    sum_of_squares_ = 0.0;
+    for (const auto& answer : answers_) {
+        ++begin_[answer.ball + 1];
+        sum_of_squares_ += square(answer.distance);
+    }
+    for (std::size_t b = 0; b < balls.size(); ++b) begin_[b + 1] += begin_[b];
+    order_.resize(samples_.size());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t i = 0; i < samples_.size(); ++i) order_[next[answers_[i].ball]++] = i;
 }
 
 /// The surface points that a ball is to follow.
@@ -170,33 +194,35 @@ void fit(const SurfaceQuery& surface, std::span<const SurfaceSample> samples,
 #pragma omp parallel for schedule(dynamic, 16) if (balls.size() >= 200)
     for (std::size_t b = 0; b < balls.size(); ++b)
         placed[b] = {balls[b], surface.nearest(balls[b].center)};
-    std::vector<BallTree::Answer> answers;
+    Assignment assignment(samples);
     std::vector<Ball> best = balls;
+    std::vector<double> moved(balls.size(), 0.0);
     double least = std::numeric_limits<double>::infinity();
     constexpr int patience = 5;  // steps without
     constexpr double enough = 0.99;
     double least_at_progress = least;
     int progress_at = 0;
     for (int step = 0; step <= options.steps; ++step) {
-        const Assignment assignment = assign(samples, balls, answers);
-        if (assignment.sum_of_squares < enough * least_at_progress) {
-            least_at_progress = assignment.sum_of_squares;
+        assignment.update(balls, *std::max_element(moved.begin(), moved.end()));
+        if (assignment.sum_of_squares() < enough * least_at_progress) {
+            least_at_progress = assignment.sum_of_squares();
             progress_at = step;
         }
-        if (assignment.sum_of_squares < least) {
-            least = assignment.sum_of_squares;
+        if (assignment.sum_of_squares() < least) {
+            least = assignment.sum_of_squares();
             best = balls;
         }
         if (step == options.steps || step - progress_at == patience) break;
 #pragma omp parallel for schedule(dynamic, 16) if (balls.size() >= 200)
         for (std::size_t b = 0; b < balls.size(); ++b) {
-            const auto own =
-                std::span(assignment.samples)
-                    .subspan(assignment.begin[b], assignment.begin[b + 1] - assignment.begin[b]);
+            moved[b] = 0.0;
+            const auto own = assignment.samples_of(b);
             if (own.empty()) continue;
-            const Patch patch(samples, own);
-            placed[b] = Improvement(surface, patch, options, placed[b])();
+            const Ball before = balls[b];
+            placed[b] = Improvement(surface, Patch(samples, own), options, placed[b])();
             balls[b] = placed[b].ball;
+            moved[b] = (balls[b].center - before.center).norm() +
+                       std::abs(balls[b].radius - before.radius);
         }
     }
     balls = best;

@@ -53,13 +53,24 @@ TEST(BallTree, AnswersAsALoopDoes) {
         const auto likely = static_cast<std::uint32_t>(n % 200);  // right or wrong
         EXPECT_EQ(tree.nearest(x, likely).ball, best.ball);
         EXPECT_EQ(tree.nearest(x, likely).distance, best.distance);
+        double second = 1e30;
+        for (std::uint32_t i = 0; i < balls.size(); ++i)
+            if (i != best.ball)
+                second = std::min(second, (x - balls[i].center).norm() - balls[i].radius);
+        for (const double room : {0.0, 0.05, 1e3}) {
+            const auto two = tree.nearest_two(x, likely, room);
+            EXPECT_EQ(two.ball, best.ball);
+            EXPECT_EQ(two.others, std::min(second, best.distance + room));
+        }
         std::vector<std::uint32_t> meeting;
         const Ball other{x, 0.2};
-        tree.visit_meeting(other, [&](std::uint32_t i) { meeting.push_back(i); });
+        const double smallest = n % 2 == 0 ? 0.0 : 0.1;
+        tree.visit_meeting(other, smallest, [&](std::uint32_t i) { meeting.push_back(i); });
         std::sort(meeting.begin(), meeting.end());
         std::vector<std::uint32_t> expected;
         for (std::uint32_t i = 0; i < balls.size(); ++i)
-            if ((balls[i].center - x).norm() < balls[i].radius + other.radius)
+            if (balls[i].radius >= smallest &&
+                (balls[i].center - x).norm() < balls[i].radius + other.radius)
                 expected.push_back(i);
         EXPECT_EQ(meeting, expected);
     }
