@@ -46,6 +46,22 @@ inline PairContact single_contact(const FeaturePoint& point, const ConvexRadius&
     return contact_force(features, radius.value(), call.law, call.dt, call.memory.history);
 }
 
+/// Error of the distance that the features make up for: those of cylinders and polyhedra are found
+/// by themselves, the distance only says where to look. Polyhedra are exact at no cost.
+template <class CoreI, class CoreJ>
+double distance_error(const CoreI& /*i*/, const CoreJ& /*j*/) {
+    return 0.0;
+}
+inline double distance_error(const PlacedCore& i, const PlacedCore& j) {
+    using Core = ConvexShape::Core;
+    const auto is_listed = [](const ConvexShape& s) {
+        return s.core == Core::cylinder || (s.is_polyhedron() && s.vertices.size() > 1);
+    };
+    const bool has_round = !i.has_vertices() || !j.has_vertices();
+    if (!has_round || !is_listed(i.shape) || !is_listed(j.shape)) return 0.0;
+    return 1e-7 * (i.rounding + j.rounding);
+}
+
 /// Nearest or deepest points of a pair that touches.
 struct ConvexTouch {
     FeaturePoint point;
@@ -61,8 +77,12 @@ ConvexTouch touch_of(const CoreI& i, const CoreJ& j, const CoreDistance& found) 
     touch.point.normal = found.normal;
     touch.point.overlap = reach - found.distance;
     double deepest = reach - found.proven;
-    if (found.overlaps) {
-        const Penetration deep = core_penetration(i, j);
+    // Rims that all but touch: rounding has stopped the search.
+    const double doubtful = 1e-8 * (i.size + j.size) + distance_error(i, j);
+    if (found.overlaps || found.distance - found.proven > doubtful) {
+        const Penetration deep = found.overlaps
+                                     ? core_penetration(i, j)
+                                     : parted(i, j, found.normal, 1e-11 * (i.size + j.size));
         on_i = deep.point_i;
         touch.point.normal = deep.normal;
         deepest = touch.point.overlap = reach + deep.depth;
@@ -104,22 +124,6 @@ FeaturePoint centroid_point(const CoreI& /*i*/, const CoreJ& /*j*/, const Convex
 inline FeaturePoint centroid_point(const PlacedCore& i, const PlacedCore& j,
                                    const ConvexTouch& touch, ConvexScratch& scratch) {
     return patch_centroid(i, j, touch.point, touch.near, scratch);
-}
-
-/// Error of the distance that the features make up for: those of cylinders and polyhedra are found
-/// by themselves, the distance only says where to look. Polyhedra are exact at no cost.
-template <class CoreI, class CoreJ>
-double distance_error(const CoreI& /*i*/, const CoreJ& /*j*/) {
-    return 0.0;
-}
-inline double distance_error(const PlacedCore& i, const PlacedCore& j) {
-    using Core = ConvexShape::Core;
-    const auto is_listed = [](const ConvexShape& s) {
-        return s.core == Core::cylinder || (s.is_polyhedron() && s.vertices.size() > 1);
-    };
-    const bool has_round = !i.has_vertices() || !j.has_vertices();
-    if (!has_round || !is_listed(i.shape) || !is_listed(j.shape)) return 0.0;
-    return 1e-7 * (i.rounding + j.rounding);
 }
 
 template <class CoreI, class CoreJ>

@@ -3,8 +3,10 @@
 
 #include "runtime/contact/gjk.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 
 /// How deep two convex sets overlap, by the expanding polytope algorithm [GC 5.1], in a form that
 /// needs no simplex around the origin to start from: a polytope inside the difference of the sets
@@ -37,6 +39,12 @@ class ExpandingPolytope {
     /// Replaces all faces that see the point. False when it lies on the polytope, or there is no
     /// room: the polytope is then what it was.
     bool add(const SimplexPoint& p);
+    /// Calls visit(normal) for every face.
+    template <class Visit>
+    void visit_normals(const Visit& visit) const {
+        for (std::size_t f = 0; f < face_count_; ++f)
+            if (faces_[f].is_alive) visit(faces_[f].normal);
+    }
     /// The point of the face nearest to the origin on both sets.
     Penetration penetration(const Face& face) const;
 
@@ -53,14 +61,13 @@ class ExpandingPolytope {
 /// Four points of the difference that span as much as they can, of supports along six axes.
 std::array<SimplexPoint, 4> widest(const std::array<SimplexPoint, 6>& supports);
 
-/// `support(direction)`: the SimplexPoint of i - j farthest along a direction; `tolerance` of the
-/// depth [m].
+/// Grows a polytope to the penetration. `support(direction)`: the SimplexPoint of i - j farthest
+/// along a direction; `tolerance` of the depth [m].
 template <class Support>
-Penetration penetration(const Support& support, double tolerance) {
+Penetration penetration(const Support& support, double tolerance, ExpandingPolytope& polytope) {
     const Vec3 x = Vec3::UnitX();
     const Vec3 y = Vec3::UnitY();
     const Vec3 z = Vec3::UnitZ();
-    ExpandingPolytope polytope;
     if (!polytope.start(
             widest({support(x), support(-x), support(y), support(-y), support(z), support(-z)})))
         return {};
@@ -76,11 +83,54 @@ Penetration penetration(const Support& support, double tolerance) {
     }
 }
 
-/// Of two cores.
+/// Least overlap downhill from a direction: i is moved out by what it overlaps along it and a gap
+/// more. distance that is left is at least the gap, so that along its direction the
+/// cores overlap by no more than before; where the gap is all that is left, that is the least.
+template <class CoreI, class CoreJ>
+Penetration parted(const CoreI& i, const CoreJ& j, const Vec3& start, double tolerance) {
+    const double gap = 0.01 * std::min(i.size, j.size);
+    constexpr int most = 64;
+    Penetration result;
+    Vec3 n = start;
+    for (int k = 0; k < most && !result.converged; ++k) {
+        const SimplexPoint p = gjk::support(i, j, -n, 0, 0);
+        const double overlap = -n.dot(p.w);
+        const Vec3 way = (overlap + gap) * n;
+        CoreI moved = i;
+        moved.center += way;
+        SearchStart from_there;
+        from_there.direction = n;
+        const CoreDistance left = core_distance(moved, j, from_there, 0.0);
+        if (left.overlaps) break;
+        result.converged = left.proven - gap <= tolerance;
+        n = left.normal;
+        result.depth = way.dot(n) - left.distance;
+        result.normal = n;
+        result.point_i = left.point_i - way;
+        result.point_j = left.point_j;
+    }
+    return result;
+}
+
+/// Of two cores. Where many directions are nearly as good, on round cores, rounding may fold the
+/// polytope: then the best of its normals is where parted() starts.
 template <class CoreI, class CoreJ>
 Penetration core_penetration(const CoreI& i, const CoreJ& j) {
-    const double tolerance = 1e-9 * (i.size + j.size);
-    return penetration([&](const Vec3& n) { return gjk::support(i, j, n, 0, 0); }, tolerance);
+    const double tolerance = 1e-11 * (i.size + j.size);
+    const auto support = [&](const Vec3& n) { return gjk::support(i, j, n, 0, 0); };
+    ExpandingPolytope polytope;
+    Penetration result = penetration(support, tolerance, polytope);
+    if (result.converged) return result;
+    double least = std::numeric_limits<double>::infinity();
+    Vec3 best = result.normal;
+    polytope.visit_normals([&](const Vec3& n) {
+        const double overlap = n.dot(support(n).w);
+        if (n.squaredNorm() > 0.0 && overlap < least) {
+            least = overlap;
+            best = -n;
+        }
+    });
+    return parted(i, j, best, tolerance);
 }
 
 }  // namespace dem
