@@ -39,42 +39,51 @@ FeaturePoint point_against(const Body& body, const Body& other, bool cores_overl
     return {x - (body.core.rounding - 0.5 * overlap) * d.normal, body.sign * d.normal, overlap};
 }
 
-/// Where the rim of an end is nearest to the other body, from a point of the rim on: the root of
-/// the derivative by the angle, by the secant method within a bracket once there is one. Angles are
-/// held as the tangent u of their half, which spares sines.
+/// Where the rim of an end is nearest to the other body, downhill from a point of the rim: the root
+/// of the derivative by the angle, by the secant method within a bracket once there is one. A step
+/// to a place that is farther away has left the valley and ends the bracket. Angles are held as the
+/// tangent u of their half, which spares sines.
 FeaturePoint deepest_of_rim(const PlacedCap& cap, const Vec3& start, const Body& body,
                             const Body& other) {
     const Vec3 across = cap.axis.cross(start);
-    double u = 0.0;
+    const double rounding_error = 1e-15 * cap.size;
     double low = -std::numeric_limits<double>::infinity();  // where the slope was last seen < 0
     double high = -low;                                     // and > 0
-    double last_u = 0.0;
-    double last_slope = 0.0;
-    FeaturePoint p{};
+    double u = 0.0;
+    double best_u = 0.0;
+    double best_slope = 0.0;
+    FeaturePoint best{};
     for (int k = 0; k < 40; ++k) {
         const double scale = 1.0 / (1.0 + u * u);
         const double c = (1.0 - u * u) * scale;
         const double s = 2.0 * u * scale;
         const Vec3 m = c * start + s * across;
-        p = point_against(body, other, false, cap.center + cap.radius * m);
+        const FeaturePoint p = point_against(body, other, false, cap.center + cap.radius * m);
+        if (k > 0 && p.overlap < best.overlap - rounding_error) {
+            (u < best_u ? low : high) = u;
+            u = 0.5 * (u + best_u);
+            if (std::abs(u - best_u) <= 1e-13) break;
+            continue;
+        }
         const Vec3 away = body.sign * p.normal;
         const double slope = away.dot(c * across - s * start);
         (slope < 0.0 ? low : high) = u;
-        // The distance is then known to the square of it.
-        if (std::abs(slope) <= 1e-12) break;
         // Of a plane the second derivative by the angle is -away.m, of any convex body more.
         double curvature = 2.0 * scale * std::max(-away.dot(m), 2.0 * std::abs(slope));
-        if (k > 0) curvature = (slope - last_slope) / (u - last_u);
+        if (k > 0) curvature = (slope - best_slope) / (u - best_u);
+        best = p;
+        best_u = u;
+        best_slope = slope;
+        // The distance is then known to the square of it.
+        if (std::abs(slope) <= 1e-12) break;
         const double most = 0.25 / scale;
         const double step = curvature > 0.0 ? std::clamp(-slope / curvature, -most, most)
                                             : -std::copysign(most, slope);
-        last_u = u;
-        last_slope = slope;
         u += step;
         if (u <= low || u >= high) u = 0.5 * (low + high);
-        if (std::abs(u - last_u) <= 1e-13) break;
+        if (std::abs(u - best_u) <= 1e-13) break;
     }
-    return p;
+    return best;
 }
 
 /// The deepest point of an end: where the other body reaches lowest, if that is above the end, else
@@ -133,6 +142,9 @@ class RimCrossings {
   private:
     /// Crossings fade where the line leaves the end, over this part of its radius.
     static constexpr double chord_ramp = 0.1;
+    /// Enough for one crossing to make the deepest point of its end superfluous (add_blended):
+    /// where that jumps from a crossing to a place elsewhere, the force does not.
+    static constexpr double weight = 1.5;
 
     void add_at(const EdgeLine& edge, double t, const Vec3& nearest, FeatureSum& features) const {
         const Vec3& e = edge.direction;
@@ -150,19 +162,19 @@ class RimCrossings {
         const Ramp at_t = end_ramp(edge, t);
         const Ramp chord((1.0 - nearest.norm() / cap_.radius) / chord_ramp);
         const Ramp lying(sine2 / lying_sine2);
-        features.add(p, at_t.value * chord.value * lying.value);
+        features.add(p, weight * at_t.value * chord.value * lying.value);
         PairGradient g;
-        const double by_t = at_t.slope * chord.value * lying.value;
+        const double by_t = weight * at_t.slope * chord.value * lying.value;
         if (by_t != 0.0) add_shift(x, -by_t / pace * m, features, g);
         const double by_distance =
-            -at_t.value * chord.slope * lying.value / (chord_ramp * cap_.radius);
+            -weight * at_t.value * chord.slope * lying.value / (chord_ramp * cap_.radius);
         if (by_distance != 0.0) {
             // From the axis to the line, square to both.
             const double middle = t - m.dot(e) * cap_.radius / sine2;
             add_shift(edge.start + middle * e, by_distance * nearest.normalized(), features, g);
         }
         if (lying.slope != 0.0) {
-            const double by_sine2 = at_t.value * chord.value * lying.slope / lying_sine2;
+            const double by_sine2 = weight * at_t.value * chord.value * lying.slope / lying_sine2;
             const Vec3 turn = 2.0 * by_sine2 * e.cross(outward_.cross(e.cross(outward_)));
             (sign_ > 0.0 ? g.turn_i : g.turn_j) += turn;
             (sign_ > 0.0 ? g.turn_j : g.turn_i) -= turn;
@@ -194,15 +206,16 @@ void add_cap(const PlacedCap& cap, const Vec3& across, const Body& body, const B
     const double least = body.extent - near.deepest;
     if (cap.support(body.towards, 0).position.dot(body.towards) < least) return;
     FeatureSum samples(features.pair(), features.deepest());
-    const double flat = 2.0 * cap.radius * cap.axis.cross(body.towards).norm();
-    // The rim's lowest point is near; samples only matter when those beside it are near as well.
-    if (0.2 * flat < near.deepest) {
-        for (std::size_t k = 0; k < PlacedCap::sample_count; ++k) {
-            const Vec3 x = cap.sample(k, across);
-            if (x.dot(body.towards) < least) continue;
-            const FeaturePoint p = point_against(body, other, near.cores_overlap, x);
-            if (p.overlap > 0.0) samples.add(p, rim_sample_weight);
-        }
+    // The samples less than `deepest` behind the farthest point of the body.
+    const double middle = cap.center.dot(body.towards);
+    const double along = cap.radius * across.dot(body.towards);
+    const double beside = cap.radius * cap.axis.cross(across).dot(body.towards);
+    for (std::size_t k = 0; k < PlacedCap::sample_count; ++k) {
+        const Vec2 direction = PlacedCap::sample_direction(k);
+        if (middle + direction.x() * along + direction.y() * beside < least) continue;
+        const FeaturePoint p =
+            point_against(body, other, near.cores_overlap, cap.sample(k, across));
+        if (p.overlap > 0.0) samples.add(p, rim_sample_weight);
     }
     const Vec3 on_core = deepest.position +
                          body.sign * (body.core.rounding - 0.5 * deepest.overlap) * deepest.normal;
@@ -212,15 +225,18 @@ void add_cap(const PlacedCap& cap, const Vec3& across, const Body& body, const B
         if (is_here) add_blended(deepest, 1.0, samples, features);
         return;
     }
-    // Where samples carry alone, the deepest point of the end would not change a thing.
+    // Corners of the patch count beside the samples: where the deepest point jumps from one to
+    // another, they carry.
+    if (other.core.has_vertices()) {
+        const RimCrossings crossings(cap, body, other);
+        for (const EdgeLine& edge : other.side.lines) crossings.add(edge, samples);
+    }
+    // Where they carry alone, the deepest point of the end would not change a thing.
     if (samples.power() >= 1.5) {
         features.add(samples, 1.0);
     } else {
         add_blended(deepest_of_cap(cap, on_core, body, other), 1.0, samples, features);
     }
-    if (!other.core.has_vertices()) return;
-    const RimCrossings crossings(cap, body, other);
-    for (const EdgeLine& edge : other.side.lines) crossings.add(edge, features);
 }
 
 void add_tip(const Body& body, const Body& other, const NearCores& near, FeatureSum& features) {
