@@ -17,19 +17,12 @@ ConvexCap::ClippedEdge clipped(const ConvexShape& shape, Index edge, const Vec3&
     return {edge, inside + half * (other - inside), half * shape.edges[edge].length};
 }
 
-EdgeLine line_of(const PlacedCore& core, const ConvexCap::ClippedEdge& clip) {
-    const ConvexShape::Edge& edge = core.shape.edges[clip.number];
-    return {core.vertex(edge.from),
-            core.turned(edge.direction),
-            edge.length,
-            std::min(edge_ramp * core.size, 0.5 * edge.length),
-            core.place(clip.middle),
-            clip.half};
+EdgeLine clipped_line(const PlacedCore& core, const ConvexCap::ClippedEdge& clip) {
+    EdgeLine line = line_of(core, clip.number);
+    line.middle = core.place(clip.middle);
+    line.half = clip.half;
+    return line;
 }
-
-}  // namespace
-
-namespace {
 
 /// Spreads from the farthest vertex. Calls visit(vertex, edge, other vertex) for every edge with an
 /// end in the cap, once for each.
@@ -94,6 +87,16 @@ void collect_cap(const PlacedCore& core, const Vec3& direction, double depth, In
     cap.ball = {core.place(0.5 * (low + high)), radius};
 }
 
+EdgeLine line_of(const PlacedCore& core, Index edge) {
+    const ConvexShape::Edge& e = core.shape.edges[edge];
+    return {core.vertex(e.from),
+            core.turned(e.direction),
+            e.length,
+            std::min(edge_ramp * core.size, 0.5 * e.length),
+            Vec3::Zero(),
+            0.0};
+}
+
 void list_faces(const PlacedCore& core, ConvexCap& cap) {
     cap.faces.clear();
     cap.marks.clear(core.shape.face_count());
@@ -109,12 +112,12 @@ void list_lines(const PlacedCore& core, const CapBall& ball, double reach, Conve
     const CapBall in_body{core.in_body(ball.center), ball.radius};
     cap.lines.clear();
     for (const ConvexCap::ClippedEdge& e : cap.edges)
-        if (in_body.meets(e.middle, e.half + reach)) cap.lines.push_back(line_of(core, e));
+        if (in_body.meets(e.middle, e.half + reach)) cap.lines.push_back(clipped_line(core, e));
 }
 
 void list_lines(const PlacedCore& core, ConvexCap& cap) {
     cap.lines.clear();
-    for (const ConvexCap::ClippedEdge& e : cap.edges) cap.lines.push_back(line_of(core, e));
+    for (const ConvexCap::ClippedEdge& e : cap.edges) cap.lines.push_back(clipped_line(core, e));
 }
 
 }  // namespace dem

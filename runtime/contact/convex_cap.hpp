@@ -82,6 +82,9 @@ void collect_cap(const PlacedCore& core, const Vec3& direction, double depth, st
 
 void list_faces(const PlacedCore& core, ConvexCap& cap);
 
+/// An edge without the part of it within a cap.
+EdgeLine line_of(const PlacedCore& core, std::uint32_t edge);
+
 /// The edges that come within `reach` of a ball.
 void list_lines(const PlacedCore& core, const CapBall& ball, double reach, ConvexCap& cap);
 

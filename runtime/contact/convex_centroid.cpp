@@ -148,8 +148,8 @@ FeaturePoint patch_centroid(const PlacedCore& i, const PlacedCore& j, const Feat
         polygon.clear();
         for (const Vec3& x : scratch.corners) polygon.emplace_back(x.dot(e1), x.dot(e2));
     };
-    seen(i, -n, near.start_i, scratch.i, scratch.polygon_i);
-    seen(j, n, near.start_j, scratch.j, scratch.polygon_j);
+    seen(i, -n, near.i.vertex[0], scratch.i, scratch.polygon_i);
+    seen(j, n, near.j.vertex[0], scratch.j, scratch.polygon_j);
     Vec2 center;
     if (!common_centroid(scratch.polygon_i, scratch.polygon_j, center)) return deepest;
     FeaturePoint p = deepest;

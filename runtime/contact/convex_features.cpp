@@ -82,11 +82,34 @@ void add_vertex(const PlacedCore& core, std::uint32_t vertex, const PlacedCore& 
                 FeatureSum& features) {
     const double reach = core.rounding + other.rounding;
     const Vec3 x = core.vertex(vertex);
-    const SurfaceDistance d = distance_to(other, other_cap, near.cores_overlap, x, reach);
-    const double overlap = reach - d.distance;
+    add_vertex_at(core, x, other, distance_to(other, other_cap, near.cores_overlap, x, reach), sign,
+                  features);
+}
+
+void add_vertex_at(const PlacedCore& core, const Vec3& x, const PlacedCore& other,
+                   const SurfaceDistance& distance, double sign, FeatureSum& features) {
+    const double overlap = core.rounding + other.rounding - distance.distance;
     if (!(overlap > 0.0)) return;
-    const Vec3 position = x - (core.rounding - 0.5 * overlap) * d.normal;
-    features.add({position, sign * d.normal, overlap}, 1.0);
+    const Vec3 position = x - (core.rounding - 0.5 * overlap) * distance.normal;
+    features.add({position, sign * distance.normal, overlap}, 1.0);
+}
+
+void add_line_pair(const EdgeLine& a, const EdgeLine& b, const NearCores& near, double rounding_i,
+                   double rounding_j, FeatureSum& features) {
+    const double reach = rounding_i + rounding_j;
+    const Vec3 between = a.start - b.start;
+    const double cosine = a.direction.dot(b.direction);
+    const double sine2 = 1.0 - cosine * cosine;
+    if (sine2 < least_sine2) return;
+    const double along_a = a.direction.dot(between);
+    const double along_b = b.direction.dot(between);
+    const double t = (cosine * along_b - along_a) / sine2;
+    if (!(t > 0.0 && t < a.length)) return;
+    const double u = (along_b - cosine * along_a) / sine2;
+    if (!(u > 0.0 && u < b.length)) return;
+    const Vec3 gap = between + t * a.direction - u * b.direction;
+    if (gap.squaredNorm() >= reach * reach) return;
+    add_edge_pair({a, b, cosine, sine2, t, u, gap}, near, rounding_i, reach, features);
 }
 
 void add_edges(const ConvexScratch& scratch, const NearCores& near, double rounding_i,
@@ -94,20 +117,8 @@ void add_edges(const ConvexScratch& scratch, const NearCores& near, double round
     const double reach = rounding_i + rounding_j;
     for (const EdgeLine& a : scratch.i.lines) {
         for (const EdgeLine& b : scratch.j.lines) {
-            if ((a.middle - b.middle).squaredNorm() >= square(a.half + b.half + reach)) continue;
-            const Vec3 between = a.start - b.start;
-            const double cosine = a.direction.dot(b.direction);
-            const double sine2 = 1.0 - cosine * cosine;
-            if (sine2 < least_sine2) continue;
-            const double along_a = a.direction.dot(between);
-            const double along_b = b.direction.dot(between);
-            const double t = (cosine * along_b - along_a) / sine2;
-            if (!(t > 0.0 && t < a.length)) continue;
-            const double u = (along_b - cosine * along_a) / sine2;
-            if (!(u > 0.0 && u < b.length)) continue;
-            const Vec3 gap = between + t * a.direction - u * b.direction;
-            if (gap.squaredNorm() >= reach * reach) continue;
-            add_edge_pair({a, b, cosine, sine2, t, u, gap}, near, rounding_i, reach, features);
+            if ((a.middle - b.middle).squaredNorm() < square(a.half + b.half + reach))
+                add_line_pair(a, b, near, rounding_i, rounding_j, features);
         }
     }
 }
@@ -143,8 +154,8 @@ bool list_near_lines(const PlacedCore& larger, ConvexCap& large, const PlacedCor
 
 void add_polyhedra(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
                    ConvexScratch& scratch, FeatureSum& features) {
-    collect_cap(i, -near.normal, near.deepest, near.start_i, scratch.i);
-    collect_cap(j, near.normal, near.deepest, near.start_j, scratch.j);
+    collect_cap(i, -near.normal, near.deepest, near.i.vertex[0], scratch.i);
+    collect_cap(j, near.normal, near.deepest, near.j.vertex[0], scratch.j);
     add_vertices(i, scratch.i, j, scratch.j, near, 1.0, features);
     add_vertices(j, scratch.j, i, scratch.i, near, -1.0, features);
     const bool has_lines = scratch.i.ball.radius > scratch.j.ball.radius

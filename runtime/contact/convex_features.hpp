@@ -4,6 +4,7 @@
 #include "runtime/contact/convex_cap.hpp"
 #include "runtime/contact/convex_patch.hpp"
 
+#include <array>
 #include <limits>
 
 /// Which vertices, edges and rims of two cores are near each other, and how far they overlap
@@ -19,13 +20,25 @@ struct ConvexScratch {
     std::vector<Vec2> polygon_i, polygon_j;
 };
 
+/// The vertices of a polyhedron that the nearest points lie between; of other cores without
+/// meaning.
+struct NearVertices {
+    std::array<std::uint32_t, 3> vertex{};
+    std::size_t count = 0;
+
+    void add(std::uint32_t v) {
+        for (std::size_t k = 0; k < count; ++k)
+            if (vertex[k] == v) return;
+        vertex[count++] = v;
+    }
+};
+
 /// What the distance of the cores tells about the pair.
 struct NearCores {
-    Vec3 normal;            ///< unit, from j towards i
-    double deepest;         ///< overlap of the bodies [m], > 0
-    bool cores_overlap;     ///< the distances of features are signed, and all faces count
-    std::uint32_t start_i;  ///< a vertex near the contact
-    std::uint32_t start_j;
+    Vec3 normal;         ///< unit, from j towards i
+    double deepest;      ///< overlap of the bodies [m], > 0
+    bool cores_overlap;  ///< the distances of features are signed, and all faces count
+    NearVertices i, j;
 };
 
 /// A vertex against the other core. `sign`: 1 where it is of i, -1 of j. `other_cap`: of a
@@ -33,6 +46,14 @@ struct NearCores {
 void add_vertex(const PlacedCore& core, std::uint32_t vertex, const PlacedCore& other,
                 const ConvexCap& other_cap, const NearCores& near, double sign,
                 FeatureSum& features);
+
+/// The same where the distance of the vertex x from the core is known.
+void add_vertex_at(const PlacedCore& core, const Vec3& x, const PlacedCore& other,
+                   const SurfaceDistance& distance, double sign, FeatureSum& features);
+
+/// Two lines against each other; their roundings [m].
+void add_line_pair(const EdgeLine& a, const EdgeLine& b, const NearCores& near, double rounding_i,
+                   double rounding_j, FeatureSum& features);
 
 /// The lines of both sides against each other; their roundings [m].
 void add_edges(const ConvexScratch& scratch, const NearCores& near, double rounding_i,

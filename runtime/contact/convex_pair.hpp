@@ -3,6 +3,7 @@
 
 #include "runtime/contact/convex_centroid.hpp"
 #include "runtime/contact/convex_convex.hpp"
+#include "runtime/contact/convex_lone.hpp"
 #include "runtime/contact/convex_nearest.hpp"
 #include "runtime/contact/convex_radius.hpp"
 #include "runtime/contact/convex_round.hpp"
@@ -71,7 +72,6 @@ struct ConvexTouch {
 template <class CoreI, class CoreJ>
 ConvexTouch touch_of(const CoreI& i, const CoreJ& j, const CoreDistance& found) {
     const double reach = i.rounding + j.rounding;
-    const SimplexPoint& start = found.simplex.point[0];
     ConvexTouch touch;
     Vec3 on_i = found.point_i;
     touch.point.normal = found.normal;
@@ -88,7 +88,12 @@ ConvexTouch touch_of(const CoreI& i, const CoreJ& j, const CoreDistance& found) 
         deepest = touch.point.overlap = reach + deep.depth;
     }
     touch.point.position = on_i - (i.rounding - 0.5 * touch.point.overlap) * touch.point.normal;
-    touch.near = {touch.point.normal, deepest, found.overlaps, start.vertex_a, start.vertex_b};
+    touch.near = {touch.point.normal, deepest, found.overlaps, {}, {}};
+    for (int k = 0; k < std::min(found.simplex.count, 3); ++k) {
+        const SimplexPoint& p = found.simplex.point[static_cast<std::size_t>(k)];
+        touch.near.i.add(p.vertex_a);
+        touch.near.j.add(p.vertex_b);
+    }
     return touch;
 }
 
@@ -109,7 +114,8 @@ inline void add_features(const PlacedCore& i, const PlacedCore& j, const ConvexT
         add_polyhedra(i, j, touch.near, scratch, others);
         add_remaining(touch.point, others, features);
     } else if (i.has_vertices() && j.has_vertices()) {
-        add_polyhedra(i, j, touch.near, scratch, features);
+        if (!add_lone_feature(i, j, touch.near, features))
+            add_polyhedra(i, j, touch.near, scratch, features);
     } else {
         add_round(i, j, touch.near, touch.point, scratch, features);
     }

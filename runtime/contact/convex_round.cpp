@@ -324,8 +324,8 @@ PlacedCaps caps_of(const PlacedCore& core) {
 
 void add_round(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
                const FeaturePoint& deepest, ConvexScratch& scratch, FeatureSum& features) {
-    list_cap(i, -near.normal, near.deepest, near.start_i, scratch.i);
-    list_cap(j, near.normal, near.deepest, near.start_j, scratch.j);
+    list_cap(i, -near.normal, near.deepest, near.i.vertex[0], scratch.i);
+    list_cap(j, near.normal, near.deepest, near.j.vertex[0], scratch.j);
     const Body body_i = body_of(i, scratch.i, -near.normal, 1.0);
     const Body body_j = body_of(j, scratch.j, near.normal, -1.0);
     FeatureSum others(features.pair(), features.deepest());

@@ -2,6 +2,7 @@
 #include "runtime/contact/clump_convex.hpp"
 #include "runtime/contact/convex_centroid.hpp"
 #include "runtime/contact/convex_convex.hpp"
+#include "runtime/contact/convex_pair.hpp"
 #include "runtime/contact/convex_sr.hpp"
 #include "runtime/contact/convex_wall.hpp"
 #include "runtime/contact/epa.hpp"
@@ -136,6 +137,51 @@ TEST(ConvexContact, ForceAndTorquesAreTheGradientOfTheStoredEnergy) {
             }
         }
     }
+}
+
+// Most contacts of grains are a vertex on a face or an edge across another: found to be alone
+// they give, to the bit, what all features give.
+TEST(ConvexContact, ALoneFeatureIsAllThereIs) {
+    const std::vector<ConvexSolid> solids{
+        make_cuboid({1.0, 1.4, 0.6}, 0.02), make_cuboid({1.2, 1.0, 0.05}, 0.01),
+        make_convex_polyhedron(tetrahedron_corners(1.5), 0.03), random_polyhedron(20, 1, 0.02),
+        random_polyhedron(6, 2, 0.01)};
+    Random random(12, 4);
+    int touching = 0;
+    int lone = 0;
+    ConvexScratch scratch;
+    for (int k = 0; k < 4000; ++k) {
+        const ConvexShape& a = solids[static_cast<std::size_t>(k) % solids.size()].shape;
+        const ConvexShape& b = solids[static_cast<std::size_t>(k) / 5 % solids.size()].shape;
+        const double tilt = k % 3 == 0 ? std::pow(10.0, random.uniform(-4.0, 0.0)) : pi;
+        const Poses p = random_poses(random, tilt);
+        const double wanted =
+            std::pow(10.0, random.uniform(-4.0, -0.3)) * (a.rounding + b.rounding);
+        const auto pair_at = [&](double x) {
+            return PairState{x * p.direction + p.offset, still(p.i), still(p.j)};
+        };
+        const double x = place_of(
+            wanted, 4.0, [&](double y) { return resting_contact(a, b, pair_at(y)).overlap; });
+        const PairState pair = pair_at(x);
+        const PlacedCore i(a, p.i, Vec3::Zero());
+        const PlacedCore j(b, p.j, pair.displacement);
+        const CoreDistance found = core_distance(i, j, canonical_start(pair.displacement), 0.0);
+        if (found.overlaps || found.distance >= i.rounding + j.rounding) continue;
+        const ConvexTouch touch = touch_of(i, j, found);
+        FeatureSum alone(pair, touch.point.overlap);
+        ++touching;
+        if (!add_lone_feature(i, j, touch.near, alone)) continue;
+        ++lone;
+        FeatureSum all(pair, touch.point.overlap);
+        add_polyhedra(i, j, touch.near, scratch, all);
+        ASSERT_EQ(alone.count(), all.count()) << k;
+        ASSERT_EQ(alone.power(), all.power()) << k;
+        ASSERT_EQ(alone.direction().torque_i, all.direction().torque_i) << k;
+        ASSERT_EQ(alone.of_weights().torque_j, all.of_weights().torque_j) << k;
+    }
+    EXPECT_GT(touching, 3000);
+    EXPECT_GT(lone, touching / 4);
+    RecordProperty("lone", lone);
 }
 
 TEST(ConvexContact, TheForceAtAWallIsTheGradientOfTheStoredEnergy) {
