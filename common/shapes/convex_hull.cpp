@@ -236,7 +236,8 @@ std::vector<std::vector<Index>> outlines(const Quickhull& hull, const std::vecto
     return result;
 }
 
-ConvexPolyhedron assembled(std::vector<std::vector<Index>> faces, std::span<const Vec3> points) {
+ConvexPolyhedron assembled(const std::vector<std::vector<Index>>& faces,
+                           std::span<const Vec3> points) {
     // A point with two faces lies on an edge between others.
     std::vector<Index> uses(points.size());
     for (const auto& f : faces)
@@ -248,7 +249,7 @@ ConvexPolyhedron assembled(std::vector<std::vector<Index>> faces, std::span<cons
         number[p] = static_cast<Index>(result.vertices.size());
         result.vertices.push_back(points[p]);
     }
-    for (auto& f : faces) {
+    for (const auto& f : faces) {
         std::vector<Index> kept;
         for (const Index p : f)
             if (uses[p] >= 3) kept.push_back(number[p]);
