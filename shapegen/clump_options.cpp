@@ -169,9 +169,11 @@ std::optional<ClumpCommand> read_clump_options(const po::variables_map& values) 
     std::string chosen;
     for (const std::string& mode : clump_modes()) {
         if (!has(values, mode)) continue;
-        if (!chosen.empty())
-            throw UsageError("command line",
-                             "found --" + chosen + " and --" + mode + ", expected one of them");
+        if (!chosen.empty()) {
+            std::string found = "found --";
+            found.append(chosen).append(" and --").append(mode).append(", expected one of them");
+            throw UsageError("command line", found);
+        }
         chosen = mode;
     }
     if (chosen.empty()) {

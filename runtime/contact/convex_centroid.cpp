@@ -113,8 +113,7 @@ void list_points(const PlacedCore& core, const Vec3& towards, double depth, std:
     const PlacedCaps caps = caps_of(core);
     for (std::size_t k = 0; k < caps.count; ++k) {
         add(caps.cap[k].support(towards, 0).position);
-        for (std::size_t n = 0; n < PlacedCap::sample_count; ++n)
-            add(caps.cap[k].sample(n, caps.across));
+        for (std::size_t n = 0; n < PlacedCap::sample_count; ++n) add(caps.cap[k].sample(n));
     }
     if (points.empty()) points.push_back(farthest);
 }

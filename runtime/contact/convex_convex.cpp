@@ -25,7 +25,7 @@ PairContact smooth(const RoundEllipsoid& i, const RoundEllipsoid& j, const Conve
         touched ? memory.history.search.direction : canonical_start(d).direction;
     const EllipsoidNormal at = common_normal(i, j, d, -Vec3(start));
     if (!(at.overlap > 0.0)) return keep_apart(memory, -at.overlap, at.n);
-    const PairContact contact = single_contact({at.middle, -at.n, at.overlap}, radius, call);
+    PairContact contact = single_contact({at.middle, -at.n, at.overlap}, radius, call);
     memory.history.search.direction = Vec3(-at.n);
     return contact;
 }

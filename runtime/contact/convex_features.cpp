@@ -77,13 +77,12 @@ SurfaceDistance distance_to(const PlacedCore& core, const ConvexCap& cap, bool c
     return d;
 }
 
-void add_vertex(const PlacedCore& core, std::uint32_t vertex, const PlacedCore& other,
-                const ConvexCap& other_cap, const NearCores& near, double sign,
-                FeatureSum& features) {
-    const double reach = core.rounding + other.rounding;
+void add_vertex(const PlacedCore& core, std::uint32_t vertex, const CappedCore& other,
+                const NearCores& near, double sign, FeatureSum& features) {
+    const double reach = core.rounding + other.core.rounding;
     const Vec3 x = core.vertex(vertex);
-    add_vertex_at(core, x, other, distance_to(other, other_cap, near.cores_overlap, x, reach), sign,
-                  features);
+    const SurfaceDistance d = distance_to(other.core, other.cap, near.cores_overlap, x, reach);
+    add_vertex_at(core, x, other.core, d, sign, features);
 }
 
 void add_vertex_at(const PlacedCore& core, const Vec3& x, const PlacedCore& other,
@@ -126,17 +125,18 @@ void add_edges(const ConvexScratch& scratch, const NearCores& near, double round
 namespace {
 
 /// Sum over the vertices that can be near the other cap.
-void add_vertices(const PlacedCore& core, const ConvexCap& cap, const PlacedCore& other,
-                  ConvexCap& other_cap, const NearCores& near, double sign, FeatureSum& features) {
-    const double reach = core.rounding + other.rounding;
-    const CapBall in_body{core.in_body(other_cap.ball.center), other_cap.ball.radius};
+void add_vertices(const CappedCore& side, const PlacedCore& other, ConvexCap& other_cap,
+                  const NearCores& near, double sign, FeatureSum& features) {
+    const double reach = side.core.rounding + other.rounding;
+    const CapBall in_body{side.core.in_body(other_cap.ball.center), other_cap.ball.radius};
     bool has_faces = false;
-    for (const ConvexCap::Vertex& v : cap.vertices) {
+    for (const ConvexCap::Vertex& v : side.cap.vertices) {
         // Of cores that overlap what is nearest to a vertex may lie outside the cap.
-        if (!near.cores_overlap && !in_body.meets(core.shape.vertices[v.number], reach)) continue;
+        if (!near.cores_overlap && !in_body.meets(side.core.shape.vertices[v.number], reach))
+            continue;
         if (!has_faces) list_faces(other, other_cap);
         has_faces = true;
-        add_vertex(core, v.number, other, other_cap, near, sign, features);
+        add_vertex(side.core, v.number, {other, other_cap}, near, sign, features);
     }
 }
 
@@ -156,8 +156,8 @@ void add_polyhedra(const PlacedCore& i, const PlacedCore& j, const NearCores& ne
                    ConvexScratch& scratch, FeatureSum& features) {
     collect_cap(i, -near.normal, near.deepest, near.i.vertex[0], scratch.i);
     collect_cap(j, near.normal, near.deepest, near.j.vertex[0], scratch.j);
-    add_vertices(i, scratch.i, j, scratch.j, near, 1.0, features);
-    add_vertices(j, scratch.j, i, scratch.i, near, -1.0, features);
+    add_vertices({i, scratch.i}, j, scratch.j, near, 1.0, features);
+    add_vertices({j, scratch.j}, i, scratch.i, near, -1.0, features);
     const bool has_lines = scratch.i.ball.radius > scratch.j.ball.radius
                                ? list_near_lines(i, scratch.i, j, scratch.j)
                                : list_near_lines(j, scratch.j, i, scratch.i);

@@ -41,11 +41,15 @@ struct NearCores {
     NearVertices i, j;
 };
 
-/// A vertex against the other core. `sign`: 1 where it is of i, -1 of j. `other_cap`: of a
-/// polyhedron whatever may be nearest to it.
-void add_vertex(const PlacedCore& core, std::uint32_t vertex, const PlacedCore& other,
-                const ConvexCap& other_cap, const NearCores& near, double sign,
-                FeatureSum& features);
+/// A core with its cap: of a polyhedron whatever may be nearest to the other body.
+struct CappedCore {
+    const PlacedCore& core;
+    const ConvexCap& cap;
+};
+
+/// A vertex against the other core. `sign`: 1 where it is of i, -1 of j.
+void add_vertex(const PlacedCore& core, std::uint32_t vertex, const CappedCore& other,
+                const NearCores& near, double sign, FeatureSum& features);
 
 /// The same where the distance of the vertex x from the core is known.
 void add_vertex_at(const PlacedCore& core, const Vec3& x, const PlacedCore& other,

@@ -201,20 +201,19 @@ class RimCrossings {
     double reach_;
 };
 
-void add_cap(const PlacedCap& cap, const Vec3& across, const Body& body, const Body& other,
-             const NearCores& near, const FeaturePoint& deepest, FeatureSum& features) {
+void add_cap(const PlacedCap& cap, const Body& body, const Body& other, const NearCores& near,
+             const FeaturePoint& deepest, FeatureSum& features) {
     const double least = body.extent - near.deepest;
     if (cap.support(body.towards, 0).position.dot(body.towards) < least) return;
     FeatureSum samples(features.pair(), features.deepest());
     // The samples less than `deepest` behind the farthest point of the body.
     const double middle = cap.center.dot(body.towards);
-    const double along = cap.radius * across.dot(body.towards);
-    const double beside = cap.radius * cap.axis.cross(across).dot(body.towards);
+    const double along = cap.radius * cap.across.dot(body.towards);
+    const double beside = cap.radius * cap.axis.cross(cap.across).dot(body.towards);
     for (std::size_t k = 0; k < PlacedCap::sample_count; ++k) {
         const Vec2 direction = PlacedCap::sample_direction(k);
         if (middle + direction.x() * along + direction.y() * beside < least) continue;
-        const FeaturePoint p =
-            point_against(body, other, near.cores_overlap, cap.sample(k, across));
+        const FeaturePoint p = point_against(body, other, near.cores_overlap, cap.sample(k));
         if (p.overlap > 0.0) samples.add(p, rim_sample_weight);
     }
     const Vec3 on_core = deepest.position +
@@ -282,12 +281,12 @@ void add_body(const Body& body, const Body& other, const NearCores& near,
               const FeaturePoint& deepest, FeatureSum& features) {
     if (body.core.has_vertices()) {
         for (const ConvexCap::Vertex& v : body.side.vertices)
-            add_vertex(body.core, v.number, other.core, other.side, near, body.sign, features);
+            add_vertex(body.core, v.number, {other.core, other.side}, near, body.sign, features);
         return;
     }
     const PlacedCaps caps = caps_of(body.core);
     for (std::size_t k = 0; k < caps.count; ++k)
-        add_cap(caps.cap[k], caps.across, body, other, near, deepest, features);
+        add_cap(caps.cap[k], body, other, near, deepest, features);
     if (body.core.shape.core == ConvexShape::Core::cone) add_tip(body, other, near, features);
 }
 
@@ -301,7 +300,7 @@ Vec2 PlacedCap::sample_direction(std::size_t k) {
     return {sample_circle.cosine[k], sample_circle.sine[k]};
 }
 
-Vec3 PlacedCap::sample(std::size_t k, const Vec3& across) const {
+Vec3 PlacedCap::sample(std::size_t k) const {
     return center +
            radius * (sample_circle.cosine[k] * across + sample_circle.sine[k] * axis.cross(across));
 }
@@ -309,13 +308,13 @@ Vec3 PlacedCap::sample(std::size_t k, const Vec3& across) const {
 PlacedCaps caps_of(const PlacedCore& core) {
     const ConvexShape& shape = core.shape;
     PlacedCaps caps;
-    caps.across = core.turned(Vec3::UnitX());
     const Vec3 axis = core.turned(Vec3::UnitZ());
+    const Vec3 across = core.turned(Vec3::UnitX());
     const bool is_cylinder = shape.core == ConvexShape::Core::cylinder;
     if (!is_cylinder && shape.core != ConvexShape::Core::cone) return caps;
     const auto add = [&](double z, const Vec3& outward) {
-        caps.cap[caps.count++] = {core.place({0.0, 0.0, z}), outward, shape.size.x, core.size,
-                                  core.rounding};
+        caps.cap[caps.count++] = {
+            core.place({0.0, 0.0, z}), outward, shape.size.x, core.size, core.rounding, across};
     };
     add(shape.low, -axis);
     if (is_cylinder && shape.size.z > 0.0) add(shape.low + shape.size.z, axis);

@@ -12,18 +12,19 @@ struct PlacedCap {
     double radius;    ///< [m]
     double size;      ///< [m]
     double rounding;  ///< [m]
+    Vec3 across;      ///< unit, normal to the axis, fixed to the body
 
     CorePoint support(const Vec3& direction, std::uint32_t /*start*/) const {
-        const Vec3 across = direction - direction.dot(axis) * axis;
-        const double length = across.norm();
+        const Vec3 sideways = direction - direction.dot(axis) * axis;
+        const double length = sideways.norm();
         // Along the axis to rounding: all points of the disc are as far.
         if (length <= 1e-12 * direction.norm()) return {center};
-        return {center + (radius / length) * across};
+        return {center + (radius / length) * sideways};
     }
 
     /// Points fixed on the rim, evenly spread.
     static constexpr std::size_t sample_count = 16;
-    Vec3 sample(std::size_t k, const Vec3& across) const;
+    Vec3 sample(std::size_t k) const;
     static Vec2 sample_direction(std::size_t k);
 };
 
@@ -31,7 +32,6 @@ struct PlacedCap {
 struct PlacedCaps {
     std::array<PlacedCap, 2> cap;
     std::size_t count = 0;
-    Vec3 across;  ///< unit, normal to the axis, fixed to the body
 };
 PlacedCaps caps_of(const PlacedCore& core);
 

@@ -40,7 +40,7 @@ class PlaneFeatures {
             return;
         }
         const PlacedCaps caps = caps_of(core_);
-        for (std::size_t k = 0; k < caps.count; ++k) add_cap(caps.cap[k], caps.across, down);
+        for (std::size_t k = 0; k < caps.count; ++k) add_cap(caps.cap[k], down);
         if (shape.core == ConvexShape::Core::cone)
             add(core_.place({0.0, 0.0, shape.low + shape.size.z}), features_);
         if (caps.count == 0) add(core_.support(down, 0).position, features_);
@@ -55,12 +55,12 @@ class PlaneFeatures {
         const FeaturePoint p = point(x);
         if (p.overlap > 0.0 && plane_.accepts(x)) sum.add(p, weight);
     }
-    void add_cap(const PlacedCap& cap, const Vec3& across, const Vec3& down) const {
+    void add_cap(const PlacedCap& cap, const Vec3& down) const {
         const FeaturePoint deepest = point(cap.support(down, 0).position);
         if (!(deepest.overlap > 0.0)) return;
         FeatureSum samples(features_.pair(), features_.deepest());
         for (std::size_t k = 0; k < PlacedCap::sample_count; ++k)
-            add(cap.sample(k, across), samples, rim_sample_weight);
+            add(cap.sample(k), samples, rim_sample_weight);
         if (plane_.accepts(deepest.position)) add_blended(deepest, 1.0, samples, features_);
     }
 
@@ -255,7 +255,7 @@ PairContact collide(const ConvexShape& a, const PlaneWall& wall, const PairState
     FeatureSum features(pair, deepest);
     PlaneFeatures(core, plane, features).add_all(lowest.vertex, memory.scratch);
     if (features.empty()) return keep_apart(memory, 0.0);
-    const PairContact contact =
+    PairContact contact =
         contact_force(features, 0.5 * a.equivalent_diameter, law, dt, memory.history);
     memory.history.search.a[0].vertex = lowest.vertex;
     return contact;

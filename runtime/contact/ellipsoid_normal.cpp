@@ -81,14 +81,14 @@ EllipsoidNormal common_normal(const RoundEllipsoid& i, const RoundEllipsoid& j, 
         if (f < 0.0 && slope > 0.5 * f) break;
         if (step.squaredNorm() <= square(step_tolerance)) break;
         double t = 1.0;
-        Vec3 ahead;
-        double f_ahead = f;
-        do {
+        Vec3 ahead = (n + step).normalized();
+        double f_ahead = overlap_along(i, j, d, ahead);
+        while (!(f_ahead <= f + 1e-4 * t * slope + noise)) {
+            t *= 0.5;
+            if (t <= 1e-6) break;
             ahead = (n + t * step).normalized();
             f_ahead = overlap_along(i, j, d, ahead);
-            if (f_ahead <= f + 1e-4 * t * slope + noise) break;
-            t *= 0.5;
-        } while (t > 1e-6);
+        }
         if (f_ahead > f + noise) break;
         n = ahead;
         f = f_ahead;

@@ -51,7 +51,7 @@ class ExpandingPolytope {
   private:
     bool add_face(std::uint8_t a, std::uint8_t b, std::uint8_t c);
 
-    static constexpr std::size_t most_faces = 4 * most_points;
+    static constexpr std::size_t most_faces = 4 * static_cast<std::size_t>(most_points);
     std::array<SimplexPoint, most_points> points_;
     std::array<Face, most_faces> faces_;
     std::size_t point_count_ = 0;

@@ -176,7 +176,7 @@ class InsideSearch {
     /// Where a contact was a step ago, or the middle.
     Vec2 start_between(const Vec2& low, const Vec2& high, const PatchHistory& history) const {
         for (std::size_t k = 0; k < history.used; ++k) {
-            const Vec2 u = outline_.towards(-Vec3(history.slots[k].normal));
+            Vec2 u = outline_.towards(-Vec3(history.slots[k].normal));
             if (PlanarOutline::is_between(low, u, high)) return u;
         }
         return (low + high).normalized();

@@ -242,7 +242,7 @@ PairContact single_force(const ContactPoint& point, double local_radius, const P
     PatchHistory::Slot& slot = history.slots[0];
     PointHistory single{slot.normal, slot.spring, history.effective_radius, history.phase,
                         slot.stiffness};
-    const PairContact contact = contact_force(point, local_radius, pair, law, dt, single);
+    PairContact contact = contact_force(point, local_radius, pair, law, dt, single);
     slot = {point.feature, single.normal, single.spring, single.stiffness};
     history.effective_radius = single.effective_radius;
     history.phase = single.phase;

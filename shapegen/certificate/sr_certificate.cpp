@@ -35,7 +35,8 @@ Spacing node_spacing(const SurfaceNodes& nodes) {
     Spacing spacing;
     for (std::uint32_t i = 0; i < nodes.count; ++i) {
         const auto& a = nodes.nodes[i];
-        const auto& b = nodes.nodes[nodes.stencil[i * SurfaceNodes::stencil_size]];
+        const auto& b =
+            nodes.nodes[nodes.stencil[static_cast<std::size_t>(i) * SurfaceNodes::stencil_size]];
         const double d = Vec3(a.x - b.x, a.y - b.y, a.z - b.z).norm();
         spacing.mean += d / nodes.count;
         spacing.max = std::max(spacing.max, d);

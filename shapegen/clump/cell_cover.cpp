@@ -16,6 +16,7 @@ namespace dem {
 namespace {
 
 constexpr int edge = 4;  // cells of a brick
+constexpr std::size_t brick_rows = edge * std::size_t{edge};
 constexpr int brick_cells = edge * edge * edge;
 
 /// Squared distances of the cells of a row of four, one cell apart, from a point; `first` is the
@@ -55,18 +56,18 @@ BrickRange bricks_with_all(double center, double half, const BrickRange& any) {
 }
 
 /// Bits of the cells of a brick whose squared distance along x is at most what y and z leave.
-VoxelWord brick_mask(const std::array<float, edge * edge>& left, double first_x) {
+VoxelWord brick_mask(const std::array<float, brick_rows>& left, double first_x) {
     const auto first = static_cast<float>(first_x);
     VoxelWord mask = 0;
 #ifdef __SSE2__
     const __m128 x = _mm_add_ps(_mm_set1_ps(first), _mm_setr_ps(0.0F, 1.0F, 2.0F, 3.0F));
     const __m128 squares = _mm_mul_ps(x, x);
-    for (std::size_t n = edge * edge; n-- > 0;) {
+    for (std::size_t n = brick_rows; n-- > 0;) {
         const __m128 is_in = _mm_cmple_ps(squares, _mm_set1_ps(left[n]));
         mask = mask << edge | static_cast<unsigned>(_mm_movemask_ps(is_in));
     }
 #else
-    for (std::size_t n = edge * edge; n-- > 0;) {
+    for (std::size_t n = brick_rows; n-- > 0;) {
         for (int i = edge; i-- > 0;)
             mask = mask << 1 | (square(first + static_cast<float>(i)) <= left[n] ? 1U : 0U);
     }
@@ -136,7 +137,7 @@ void CellCover::visit_bricks(const Ball& ball, const BrickBits& which, const Vis
                 static_cast<std::size_t>(j);
             const double most = z.most + y.most;
             BrickRange all{0, 0};
-            std::array<float, edge * edge> left;  // of the squared radius for x
+            std::array<float, brick_rows> left;  // of the squared radius for x
             bool is_ready = false;
             visit_words(any.first, any.last, [&](int word, VoxelWord range) {
                 VoxelWord rest = which[row * row_words_ + static_cast<std::size_t>(word)] & range;

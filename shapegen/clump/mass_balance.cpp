@@ -90,6 +90,7 @@ class Program {
         if (!is_feasible()) fail();
         const double x = glp_get_col_prim(problem_.get(), 1);
         std::vector<double> masses;
+        masses.reserve(even_.size());
         for (int i = 0; i < count_; ++i)
             masses.push_back(std::max(
                 even_[static_cast<std::size_t>(i)] * x + glp_get_col_prim(problem_.get(), 2 + i),

@@ -114,9 +114,14 @@ std::vector<Vec3> polyhedron_points(const ConvexShape& shape) {
                                     shape.rounding * shape.planes[f].normal);
         return points;
     }
-    for (int k = 0; k < 27; ++k) {
-        const Vec3 direction(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-        if (k != 13) points.push_back(surface_point(shape, direction.normalized()));
+    for (const int z : {-1, 0, 1}) {
+        for (const int y : {-1, 0, 1}) {
+            for (const int x : {-1, 0, 1}) {
+                const Vec3 direction(x, y, z);
+                if (!direction.isZero())
+                    points.push_back(surface_point(shape, direction.normalized()));
+            }
+        }
     }
     return points;
 }
