@@ -80,6 +80,7 @@ std::string convergence_plot(const std::string& name, const std::vector<Converge
     double x = corner[0];
     for (const Curve& curve : curves) {
         std::vector<Vec2> points;
+        points.reserve(rows.size());
         for (const ConvergenceRow& row : rows)
             points.push_back(at(static_cast<double>(row.spheres), curve.value(row.quality)));
         page.polyline(points, {.stroke = curve.color, .width = 2.0});

@@ -143,7 +143,8 @@ class Builder {
         const std::uint32_t n = 1U << fine.level;
         for (std::uint32_t a = 0; a < n; ++a) {
             const double t = static_cast<double>(a % ratio) / ratio;
-            const double* v = values_.data() + coarse.first + (a / ratio) * coarse.stride;
+            const std::size_t place = a / ratio;
+            const double* v = values_.data() + coarse.first + place * coarse.stride;
             if (a % ratio != 0) {
                 values_[fine.first + a * fine.stride] = v[0] + t * (v[coarse.stride] - v[0]);
             }
