@@ -4,7 +4,7 @@ import sys
 
 import numpy as np
 
-from validation import Page, Run, cook, plt, write_bodies
+from validation import BIN, Page, Run, cook, plt, subprocess, table, write_bodies
 
 # name, Young's modulus, Poisson's ratio, density, largest overlap [m], force [N], contact time [s]
 TEST_1 = [("glass", 4.8e10, 0.20, 2800.0, 274.11e-6, 10.697e3, 40.34e-6),
@@ -51,14 +51,23 @@ material = rigid
 
 
 def sphere(radius, kind):
-    """A template of a sphere in metres: as `sphere`, or as `sr` (continuous, all nodes or the deepest)."""
-    options = {"sphere": ("--sphere",), "sr": (), "sr nodes": ("--nodes", "20000"),
+    """A template of a sphere in metres: as `sphere`, as `sr` (continuous, all nodes or the deepest), or as a clump of one sphere."""
+    options = {"sphere": ("--sphere",), "sr": (), "clump": ("--clump-spheres", "1"), "sr nodes": ("--nodes", "20000"),
                "sr nodes deepest": ("--nodes", "20000")}[kind]
     return cook(f"units = m\nshape = sphere\nradius = {radius!r}\n", *options)
 
 
 def contact_of(kind):
-    return {"sphere": "auto", "sr": "continuous"}.get(kind, "nodes")
+    return {"sphere": "auto", "clump": "auto", "sr": "continuous"}.get(kind, "nodes")
+
+
+def touching_radius(template, radius, kind):
+    """Where the surface is that touches [m]: of a clump that of its sphere, which has the volume of a revolved mesh."""
+    if kind != "clump":
+        return radius
+    spheres = template.with_suffix(".csv")
+    subprocess.run([BIN / "shapegen", "export", template, "-o", spheres], check=True, capture_output=True)
+    return table(spheres)["radius"][0]
 
 
 def impact(kind, test, material, radius, speed, restitution=1.0, steps=500):
@@ -75,15 +84,17 @@ def impact(kind, test, material, radius, speed, restitution=1.0, steps=500):
     name = f"chung_ooi_{test}_{kind}_{material[0]}_{restitution}".replace(" ", "_")
     rows = ([{"x": -radius - 0.5 * gap, "vx": speed}, {"x": radius + 0.5 * gap, "vx": -speed}] if pair
             else [{"z": radius + gap, "vz": -speed}])
+    template = sphere(radius, kind)
     run = Run(name, CASE.format(
         end=2 * hertz, step=step, density=density, modulus=modulus, ratio=ratio, frame=step if test < 3 else hertz,
         restitution=restitution, contact=contact_of(kind),
-        multi_contact="deepest" if kind.endswith("deepest") else "norm", template=sphere(radius, kind),
+        multi_contact="deepest" if kind.endswith("deepest") else "norm", template=template,
         bodies=write_bodies(name, rows), wall="" if pair else WALL))
     times, frames = run.frames()
     position, velocity = frames["position"], frames["velocity"]
-    overlap = (2 * radius - (position[:, 1, 0] - position[:, 0, 0]) if pair
-               else radius - position[:, 0, 2])
+    surface = touching_radius(template, radius, kind)
+    overlap = (2 * surface - (position[:, 1, 0] - position[:, 0, 0]) if pair
+               else surface - position[:, 0, 2])
     v = velocity[:, 0, 0 if pair else 2]
     if test == 3:
         return None, None, None, abs(v[-1] / v[0])

@@ -47,6 +47,14 @@ def cook_mesh(mesh, *options):
     return template
 
 
+def shapegen(name, *arguments):
+    """Makes a template by any command of shapegen and returns its path."""
+    WORK.mkdir(parents=True, exist_ok=True)
+    template = WORK / f"{name}.tpl"
+    subprocess.run([BIN / "shapegen", *arguments, "-o", template, "--quiet"], check=True)
+    return template
+
+
 def inspect(template):
     """What `shapegen inspect --json` says of a template."""
     return json.loads(subprocess.run([BIN / "shapegen", "inspect", template, "--json"], check=True,
