@@ -65,12 +65,9 @@ def main():
             values = {c: value(features, c, approach, fraction) for c in PAPER}
             above = [c for c in PAPER if values[c] > limit]
             statement = f"t_c/{fraction}, {approach}: mean error at most {limit:.0e} (largest {max(values.values()):.1e})"
-            if approach == "parallel":
-                page.shortfall(f"{statement}; above it: {', '.join(above)}", not above)
-            else:
-                page.claim(statement, not above)
-    page.text("\nThe exception is a cube nearly parallel to the end of a cylinder. Its mean error falls with the time step, its largest hardly "
-              "does: the force of that pair is not the gradient of one energy everywhere. Which of its features is to blame is not known."
+            page.claim(statement, not above)
+    page.text("\nLargest is a cube nearly parallel to the end of a cylinder: while it rocks, the deepest point of the end jumps from one "
+              "corner of the patch to another, and where such a corner lies near a corner of the cube the force jumps a little with it."
               "\n\n## The same by the rule of [GC], `contact = centroid`")
     page.table(["pair", "random, t_c/1000", "near-parallel, t_c/1000"],
                [[c, *(f"{value(centroid, c, a, '1000'):.1e} ({value(centroid, c, a, '1000', 'worst'):.1e})"

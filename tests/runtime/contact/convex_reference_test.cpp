@@ -215,12 +215,14 @@ Errors compare(const ConvexShape& a, const ConvexShape& b, double unresolved, in
 TEST(ConvexReference, OverlapAndNormalOfTheEightCombinations) {
     for (const Combination& c : combinations(size)) {
         const bool are_polyhedra = c.a.shape.is_polyhedron() && c.b.shape.is_polyhedron();
-        // Between two cores with rims the search ends there; their features go on by themselves.
-        const bool has_rim = c.b.shape.core == ConvexShape::Core::cylinder;
-        const double unresolved = has_rim ? 1e-9 * size : 0.0;
+        // Curved against flat or curved cores rounding ends the search, at overlaps below 1e-5 of
+        // the size before the rest is small beside them; ends of cylinders go on by themselves.
+        const bool is_smooth = c.a.shape.is_strictly_convex() && c.b.shape.is_strictly_convex();
+        const bool is_searched = !are_polyhedra && !is_smooth;
+        const double unresolved = is_searched ? 1e-9 * size : 0.0;
         const Errors worst = compare(c.a.shape, c.b.shape, unresolved, PAIRS);
         EXPECT_LT(worst.overlap, are_polyhedra ? 1e-6 : 1e-5) << c.name;
-        EXPECT_LT(worst.normal, are_polyhedra ? 1e-6 : has_rim ? 1e-4 : 1e-5) << c.name;
+        EXPECT_LT(worst.normal, are_polyhedra ? 1e-6 : is_searched ? 1e-4 : 1e-5) << c.name;
         std::printf("%-28s overlap %.1e (%.1e of the size), normal %.1e rad\n", c.name,
                     worst.overlap, worst.distance / size, worst.normal);
     }
