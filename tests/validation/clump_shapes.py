@@ -74,7 +74,7 @@ def main():
     page = Page("clump_shapes", "Clumps of three bodies")
     page.text(f"""
 Candy and tablet are those of [MS], the bunny has {"69 451" if FULL_BUNNY.exists() else "11 998"} triangles. All with `--resolution {options.resolution}`. Every
-coverage is that of the independent judge (docs/clumps.md). Times are wall times on a two-core virtual machine that did other work as well.
+coverage is that of the independent judge (docs/clumps.md). Times are wall times on a virtual machine with two hardware threads of one core.
 
 ## Inscribed spheres
 
