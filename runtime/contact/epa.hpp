@@ -90,24 +90,19 @@ template <class CoreI, class CoreJ>
 Penetration parted(const CoreI& i, const CoreJ& j, const Vec3& start, double tolerance) {
     const double gap = 0.01 * std::min(i.size, j.size);
     constexpr int most = 64;
-    Penetration result;
-    Vec3 n = start;
+    const SimplexPoint deepest = gjk::support(i, j, -start, 0, 0);
+    Penetration result{-start.dot(deepest.w), start, deepest.a, deepest.b, false};
     for (int k = 0; k < most && !result.converged; ++k) {
-        const SimplexPoint p = gjk::support(i, j, -n, 0, 0);
-        const double overlap = -n.dot(p.w);
-        const Vec3 way = (overlap + gap) * n;
+        const Vec3 n = result.normal;
+        const Vec3 way = (gap - n.dot(gjk::support(i, j, -n, 0, 0).w)) * n;
         CoreI moved = i;
         moved.center += way;
         SearchStart from_there;
         from_there.direction = n;
         const CoreDistance left = core_distance(moved, j, from_there, 0.0);
         if (left.overlaps) break;
-        result.converged = left.proven - gap <= tolerance;
-        n = left.normal;
-        result.depth = way.dot(n) - left.distance;
-        result.normal = n;
-        result.point_i = left.point_i - way;
-        result.point_j = left.point_j;
+        result = {way.dot(left.normal) - left.distance, left.normal, left.point_i - way,
+                  left.point_j, left.proven - gap <= tolerance};
     }
     return result;
 }
