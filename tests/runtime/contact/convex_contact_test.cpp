@@ -5,10 +5,10 @@
 #include "runtime/contact/convex_pair.hpp"
 #include "runtime/contact/convex_sr.hpp"
 #include "runtime/contact/convex_wall.hpp"
-#include "runtime/contact/epa.hpp"
 #include "runtime/contact/placed_core.hpp"
 #include "runtime/contact_law/pair_law.hpp"
 #include "tests/common/shapes/sample_convex.hpp"
+#include "tests/runtime/contact/convex_poses.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,36 +29,6 @@ struct Host {
     ConvexMemory memory() { return {history, miss, scratch}; }
 };
 
-Quat turned(const Vec3& axis, double angle) {
-    const double s = std::sin(0.5 * angle);
-    const Vec3 a = axis.normalized();
-    return {std::cos(0.5 * angle), s * a.x(), s * a.y(), s * a.z()};
-}
-
-/// Two bodies that look at each other along `direction`, their z axes within `tilt` of it.
-struct Poses {
-    Quat i, j;
-    Vec3 direction, offset;
-};
-Poses random_poses(Random& random, double tilt) {
-    Poses p;
-    p.direction = random.direction();
-    p.offset = random.uniform(0.0, 0.4) * p.direction.unitOrthogonal();
-    p.i = random.orientation();
-    p.j = random.orientation();
-    if (tilt >= pi) return p;
-    for (Quat* q : {&p.i, &p.j}) {
-        const Quat facing = orientation_towards(p.direction);
-        const Quat spun = facing * turned(Vec3::UnitZ(), random.uniform(0.0, 2.0 * pi));
-        *q = turned(random.direction(), tilt * random.uniform()) * spun;
-    }
-    return p;
-}
-
-BodyState still(const Quat& q) {
-    return {q, Vec3::Zero(), Vec3::Zero(), {1.0, Vec3::Ones()}};
-}
-
 const ContactLaw elastic = pair_law({5e7, 0.3}, {5e7, 0.3}, 1.0);
 
 /// A contact of bodies at rest that has lasted: R* does not change.
@@ -69,18 +39,6 @@ PairContact resting_contact(const A& a, const B& b, const PairState& pair) {
     const double distance = pair.displacement.norm();
     host.history.search.direction = Vec3(pair.displacement / -distance);
     return collide(a, b, pair, elastic, 1e-6, host.memory());
-}
-
-/// Where along the line the bodies overlap by this much.
-template <class Overlap>
-double place_of(double overlap, double far, const Overlap& overlap_at) {
-    double low = 0.0;
-    double high = far;
-    for (int k = 0; k < 24; ++k) {
-        const double middle = 0.5 * (low + high);
-        (overlap_at(middle) > overlap ? low : high) = middle;
-    }
-    return low;
 }
 
 /// Largest deviation of force and torques from the derivatives of the stored energy, relative to
@@ -213,121 +171,6 @@ TEST(ConvexContact, TheForceAtAWallIsTheGradientOfTheStoredEnergy) {
             }
             EXPECT_EQ(off, 0) << name << (is_tube ? " in a tube" : " on a plane");
         }
-    }
-}
-
-/// Distance of two polyhedra by all their features.
-double reference_distance(const ConvexShape& a, const ConvexShape& b, const PairState& pair) {
-    const PlacedCore i(a, pair.i.orientation, Vec3::Zero());
-    const PlacedCore j(b, pair.j.orientation, pair.displacement);
-    double least = std::numeric_limits<double>::infinity();
-    for (std::uint32_t v = 0; v < a.vertices.size(); ++v)
-        least = std::min(least, core_distance(b, j.in_body(i.vertex(v))).distance);
-    for (std::uint32_t v = 0; v < b.vertices.size(); ++v)
-        least = std::min(least, core_distance(a, i.in_body(j.vertex(v))).distance);
-    for (const ConvexShape::Edge& e : a.edges) {
-        for (const ConvexShape::Edge& f : b.edges) {
-            const Vec3 p = i.vertex(e.from);
-            const Vec3 u = i.vertex(e.to) - p;
-            const Vec3 q = j.vertex(f.from);
-            const Vec3 w = j.vertex(f.to) - q;
-            const double uu = u.dot(u), uw = u.dot(w), ww = w.dot(w);
-            const double determinant = uu * ww - uw * uw;
-            if (determinant < 1e-12 * uu * ww) continue;
-            const Vec3 r = p - q;
-            const double s = (uw * w.dot(r) - ww * u.dot(r)) / determinant;
-            const double t = (uu * w.dot(r) - uw * u.dot(r)) / determinant;
-            if (s < 0.0 || s > 1.0 || t < 0.0 || t > 1.0) continue;
-            least = std::min(least, (r + s * u - t * w).norm());
-        }
-    }
-    return least;
-}
-
-TEST(Gjk, MeetsTheDistanceOfAllFeaturesForAnyTiltAndGap) {
-    const std::vector<ConvexSolid> solids{make_cuboid({1.0, 1.0, 1.0}, 0.05),
-                                          random_polyhedron(20, 1, 0.02),
-                                          make_convex_polyhedron(tetrahedron_corners(1.5), 0.03)};
-    Random random(8, 1);
-    int compared = 0;
-    double worst = 0.0;
-    for (int k = 0; k < 400; ++k) {
-        const ConvexShape& a = solids[static_cast<std::size_t>(k) % 3].shape;
-        const ConvexShape& b = solids[static_cast<std::size_t>(k) / 3 % 3].shape;
-        const double tilt = k % 4 == 0 ? pi : k % 4 == 1 ? 0.0 : std::pow(10.0, -0.02 * k);
-        const Poses p = random_poses(random, tilt);
-        const double gap = std::pow(10.0, random.uniform(-6.0, -1.0));
-        const auto pair_at = [&](double x) {
-            return PairState{x * p.direction + p.offset, still(p.i), still(p.j)};
-        };
-        const double x = place_of(-gap, 4.0, [&](double y) {
-            return -reference_distance(a, b, pair_at(y)) - (y < 0.3 ? -1.0 : 0.0);
-        });
-        const PairState pair = pair_at(x);
-        const double expected = reference_distance(a, b, pair);
-        if (!(expected > 0.0) || expected > 1.0) continue;
-        const PlacedCore i(a, p.i, Vec3::Zero());
-        const PlacedCore j(b, p.j, pair.displacement);
-        SearchStart start;
-        start.direction = Vec3(-pair.displacement.normalized());
-        const CoreDistance found = core_distance(i, j, start, 0.0);
-        if (found.overlaps) continue;
-        ++compared;
-        worst = std::max(worst, std::abs(found.distance - expected));
-        ASSERT_LT(found.evaluations, 40) << k;
-        // Started from its own end the search stops at once.
-        const CoreDistance again = core_distance(i, j, next_start(i, j, found), 0.0);
-        ASSERT_LE(again.evaluations, 2) << k;
-        ASSERT_NEAR(again.distance, found.distance, 1e-12) << k;
-    }
-    EXPECT_GT(compared, 100);
-    EXPECT_LT(worst, 1e-12);
-}
-
-TEST(Gjk, ProvesItsDistanceForRoundCores) {
-    const auto solids = convex_solids();
-    Random random(9, 1);
-    for (int k = 0; k < 4000; ++k) {
-        const ConvexShape& a = solids[static_cast<std::size_t>(k) % solids.size()].second.shape;
-        const ConvexShape& b =
-            solids[static_cast<std::size_t>(k) / 10 % solids.size()].second.shape;
-        const Poses p =
-            random_poses(random, k % 3 == 0 ? pi : std::pow(10.0, random.uniform(-8, 0)));
-        const Vec3 d = random.uniform(0.8, 2.5) * p.direction + p.offset;
-        const PlacedCore i(a, p.i, Vec3::Zero());
-        const PlacedCore j(b, p.j, d);
-        SearchStart start;
-        start.direction = Vec3(-d.normalized());
-        const CoreDistance found = core_distance(i, j, start, 0.0);
-        if (found.overlaps) continue;
-        // Both points lie in the cores, and no two points can be nearer along the normal.
-        ASSERT_LT(core_distance(a, i.in_body(found.point_i)).distance, 1e-10);
-        ASSERT_LT(core_distance(b, j.in_body(found.point_j)).distance, 1e-10);
-        const double proven = found.normal.dot(i.support(-found.normal, 0).position -
-                                               j.support(found.normal, 0).position);
-        ASSERT_NEAR(proven, found.distance, 1e-7) << k;
-    }
-}
-
-TEST(Epa, FindsTheDepthAlongTheBestOfManyDirections) {
-    const std::vector<ConvexSolid> solids{make_cuboid({1.0, 1.2, 0.8}, 0.01),
-                                          random_polyhedron(20, 1, 0.02),
-                                          make_cylinder(0.5, 1.0, 0.01)};
-    Random random(10, 1);
-    for (int k = 0; k < 200; ++k) {
-        const ConvexShape& a = solids[static_cast<std::size_t>(k) % 3].shape;
-        const ConvexShape& b = solids[static_cast<std::size_t>(k) / 3 % 3].shape;
-        const Poses p = random_poses(random, k % 2 == 0 ? pi : 1e-6);
-        const PlacedCore i(a, p.i, Vec3::Zero());
-        const PlacedCore j(b, p.j, random.uniform(0.3, 0.8) * p.direction);
-        const Penetration found = core_penetration(i, j);
-        ASSERT_TRUE(found.converged) << k;
-        const auto overlap_along = [&](const Vec3& n) {
-            return n.dot(j.support(n, 0).position - i.support(-n, 0).position);
-        };
-        ASSERT_NEAR(overlap_along(found.normal), found.depth, 1e-7) << k;
-        for (int trial = 0; trial < 200; ++trial)
-            ASSERT_GE(overlap_along(random.direction()), found.depth - 1e-8) << k;
     }
 }
 

@@ -3,6 +3,7 @@
 #include "runtime/contact/ellipsoid_normal.hpp"
 #include "runtime/integrator/rigid_body.hpp"
 #include "tests/physics/convex_combinations.hpp"
+#include "tests/runtime/contact/polyhedron_gap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,41 +48,6 @@ Deepest found_by_kernel(const ConvexShape& a, const ConvexShape& b, const PairSt
 /// Overlap of two bodies along a direction, from j towards i: the true one is the least of all.
 double overlap_along(const PlacedCore& i, const PlacedCore& j, const Vec3& n) {
     return i.rounding + j.rounding + n.dot(j.support(n, 0).position - i.support(-n, 0).position);
-}
-
-Vec3 direction_of(const PlacedCore& core, const ConvexShape::Edge& e) {
-    return core.vertex(e.to) - core.vertex(e.from);
-}
-
-/// Polyhedra that are apart: the nearest of all vertices against the other body and of all edges
-/// against each other.
-void try_gaps(const PlacedCore& i, const PlacedCore& j, Deepest& best) {
-    const double reach = i.rounding + j.rounding;
-    const auto offer = [&](const Vec3& gap) {
-        const double length = gap.norm();
-        if (reach - length > best.overlap) best = {reach - length, gap / length};
-    };
-    for (std::uint32_t v = 0; v < i.shape.vertices.size(); ++v) {
-        const SurfaceDistance d = core_distance(j.shape, j.in_body(i.vertex(v)));
-        offer(d.distance * j.turned(d.normal));
-    }
-    for (std::uint32_t v = 0; v < j.shape.vertices.size(); ++v) {
-        const SurfaceDistance d = core_distance(i.shape, i.in_body(j.vertex(v)));
-        offer(-d.distance * i.turned(d.normal));
-    }
-    for (const ConvexShape::Edge& e : i.shape.edges) {
-        for (const ConvexShape::Edge& f : j.shape.edges) {
-            const Vec3 u = direction_of(i, e);
-            const Vec3 w = direction_of(j, f);
-            const Vec3 across = u.cross(w);
-            const double square_sine = across.squaredNorm();
-            if (square_sine < 1e-12 * u.squaredNorm() * w.squaredNorm()) continue;
-            const Vec3 r = j.vertex(f.from) - i.vertex(e.from);
-            const double s = r.cross(w).dot(across) / square_sine;
-            const double t = r.cross(u).dot(across) / square_sine;
-            if (s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0) offer(s * u - t * w - r);
-        }
-    }
 }
 
 /// Polyhedra that overlap: the least overlap along all normals of faces and all cross products of
@@ -154,8 +120,12 @@ Deepest reference(const PlacedCore& i, const PlacedCore& j, const Deepest& found
         return search.best();
     }
     const bool are_apart = found.overlap < i.rounding + j.rounding;
-    are_apart ? try_gaps(i, j, best) : try_axes(i, j, best);
-    return best;
+    if (!are_apart) {
+        try_axes(i, j, best);
+        return best;
+    }
+    const SurfaceDistance gap = polyhedron_gap(i, j);
+    return {i.rounding + j.rounding - gap.distance, gap.normal};
 }
 
 Quat tilted_to(const Vec3& direction, double tilt, Random& random) {
