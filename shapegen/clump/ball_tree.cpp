@@ -60,22 +60,20 @@ std::uint32_t BallTree::build(std::uint32_t first, std::uint32_t last) {
     return index;
 }
 
-BallTree::CloseAnswer BallTree::nearest_two(const Vec3& x, std::uint32_t likely,
-                                            double room) const {
+BallTree::Answer BallTree::nearest(const Vec3& x, std::uint32_t likely) const {
     std::array<std::uint32_t, largest_stack> stack;
     std::size_t size = 0;
     stack[size++] = 0;
     const auto distance_to = [&x](const Ball& ball) {
         return (x - ball.center).norm() - ball.radius;
     };
-    CloseAnswer best{{likely, distance_to(items_[places_[likely]].ball)}, 0.0};
-    double second = std::numeric_limits<double>::infinity();
+    Answer best{likely, distance_to(items_[places_[likely]].ball)};
     while (size > 0) {
         const std::uint32_t index = stack[--size];
         const Node& node = nodes_[index];
         // Outside of a ball it is at least as far as its box, and nowhere deeper in it than its
         // radius. A little more than these: rounding must not hide an equally near ball.
-        const double reach = std::min(second, best.distance + room) + rounding_;
+        const double reach = best.distance + rounding_;
         const Vec3 out = (node.lower - x).cwiseMax(x - node.upper).cwiseMax(0.0);
         if (out.squaredNorm() > square(std::max(reach, rounding_))) continue;
         const Vec3 off = (node.lowest_center - x).cwiseMax(x - node.highest_center).cwiseMax(0.0);
@@ -88,17 +86,11 @@ BallTree::CloseAnswer BallTree::nearest_two(const Vec3& x, std::uint32_t likely,
         }
         for (std::uint32_t n = node.first; n < node.last; ++n) {
             const std::uint32_t ball = items_[n].index;
-            if (ball == best.ball) continue;
             const double distance = distance_to(items_[n].ball);
-            if (distance < best.distance || (distance == best.distance && ball < best.ball)) {
-                second = best.distance;
-                best = {{ball, distance}, 0.0};
-            } else {
-                second = std::min(second, distance);
-            }
+            if (distance < best.distance || (distance == best.distance && ball < best.ball))
+                best = {ball, distance};
         }
     }
-    best.others = std::min(second, best.distance + room);
     return best;
 }
 

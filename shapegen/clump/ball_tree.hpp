@@ -25,16 +25,7 @@ class BallTree {
 
     /// The ball whose surface is nearest to x, or that holds it deepest: least |x - c| - r; of
     /// equally near balls the one with the lowest index. Sooner when `likely` is the ball, or near.
-    Answer nearest(const Vec3& x, std::uint32_t likely = 0) const {
-        return nearest_two(x, likely, 0.0);
-    }
-
-    /// The same with a bound of how near the other balls are: no nearer than `others`, which is the
-    /// distance of the second nearest or `room` more than that of the nearest [m].
-    struct CloseAnswer : Answer {
-        double others;
-    };
-    CloseAnswer nearest_two(const Vec3& x, std::uint32_t likely, double room) const;
+    Answer nearest(const Vec3& x, std::uint32_t likely = 0) const;
 
     /// Calls visit(index) for each ball of at least that radius which has a point in common with
     /// the inside of `other`.

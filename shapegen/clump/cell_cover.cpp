@@ -18,6 +18,7 @@ namespace {
 constexpr int edge = 4;  // cells of a brick
 constexpr std::size_t brick_rows = edge * std::size_t{edge};
 constexpr int brick_cells = edge * edge * edge;
+constexpr int block_edge = 2 * edge;  // cells of a block
 
 /// Squared distances of the cells of a row of four, one cell apart, from a point; `first` is the
 /// offset of the first one, all in cells.
@@ -37,22 +38,21 @@ struct BrickRange {
     int first, last;
 };
 
-/// The bricks that have a cell within `half` cells of a point, or all of them.
-BrickRange bricks_with_any(double center, double half, int bricks) {
-    const double low = std::ceil((center - half - (edge - 1)) / edge);
-    const double high = std::floor((center + half) / edge) + 1.0;
-    const auto clamped = [bricks](double x) {
-        return static_cast<int>(std::clamp(x, 0.0, static_cast<double>(bricks)));
-    };
-    return {clamped(low), std::max(clamped(high), clamped(low))};
+/// The bricks, or blocks, of so many cells that have one within `half` cells of a point.
+template <int size = edge>
+inline BrickRange bricks_with_any(double center, double half, int bricks) {
+    const int low = static_cast<int>(std::ceil((center - half - (size - 1)) / size));
+    const int high = static_cast<int>(std::floor((center + half) / size)) + 1;
+    const int first = std::clamp(low, 0, bricks);
+    return {first, std::clamp(high, first, bricks)};
 }
-BrickRange bricks_with_all(double center, double half, const BrickRange& any) {
-    const auto clamped = [&any](double x) {
-        return static_cast<int>(
-            std::clamp(x, static_cast<double>(any.first), static_cast<double>(any.last)));
-    };
-    const int first = clamped(std::ceil((center - half) / edge));
-    return {first, std::max(clamped(std::floor((center + half - (edge - 1)) / edge) + 1.0), first)};
+
+/// Those of the bricks that have all their cells within `half` cells.
+inline BrickRange bricks_with_all(double center, double half, const BrickRange& any) {
+    const int low = static_cast<int>(std::ceil((center - half) / edge));
+    const int high = static_cast<int>(std::floor((center + half - (edge - 1)) / edge)) + 1;
+    const int first = std::clamp(low, any.first, any.last);
+    return {first, std::clamp(high, first, any.last)};
 }
 
 /// Bits of the cells of a brick whose squared distance along x is at most what y and z leave.
@@ -103,6 +103,21 @@ CellCover::CellCover(const VoxelImage& solid) : grid_(solid.grid()) {
     open_ = filled_;
     for (const VoxelWord word : solid_) cells_ += static_cast<std::size_t>(std::popcount(word));
     uncovered_count_ = cells_;
+    for (std::size_t a = 0; a < 3; ++a) blocks_[a] = (bricks_[a] + 1) / 2;
+    block_uncovered_.assign(static_cast<std::size_t>(blocks_[0]) *
+                                static_cast<std::size_t>(blocks_[1]) *
+                                static_cast<std::size_t>(blocks_[2]),
+                            0);
+    for (std::size_t brick = 0; brick < solid_.size(); ++brick)
+        block_uncovered_[block_of(brick)] += static_cast<std::uint16_t>(std::popcount(solid_[brick]));
+}
+
+std::size_t CellCover::block_of(std::size_t brick) const {
+    const auto nx = static_cast<std::size_t>(bricks_[0]);
+    const auto ny = static_cast<std::size_t>(bricks_[1]);
+    return (brick / nx / ny / 2 * static_cast<std::size_t>(blocks_[1]) + brick / nx % ny / 2) *
+               static_cast<std::size_t>(blocks_[0]) +
+           brick % nx / 2;
 }
 
 VoxelWord& CellCover::word_of(BrickBits& bits, std::size_t brick) const {
@@ -170,6 +185,35 @@ std::size_t CellCover::gain(const Ball& ball) const {
     return sum;
 }
 
+std::size_t CellCover::gain_bound(const Ball& ball) const {
+    const Vec3 c = (ball.center - grid_.origin) / grid_.spacing;
+    const double r = ball.radius / grid_.spacing;
+    const double r2 = square(r);
+    // From the nearest cell of a row of blocks.
+    const auto nearest = [](int block, double x) {
+        const double first = block_edge * block - x;
+        return square(std::max({first, -(first + (block_edge - 1)), 0.0}));
+    };
+    std::size_t sum = 0;
+    const BrickRange layers = bricks_with_any<block_edge>(c.z(), r, blocks_[2]);
+    for (int k = layers.first; k < layers.last; ++k) {
+        const double disc2 = r2 - nearest(k, c.z());
+        if (disc2 < 0.0) continue;
+        const BrickRange rows = bricks_with_any<block_edge>(c.y(), std::sqrt(disc2), blocks_[1]);
+        for (int j = rows.first; j < rows.last; ++j) {
+            const double half2 = disc2 - nearest(j, c.y());
+            if (half2 < 0.0) continue;
+            const BrickRange any =
+                bricks_with_any<block_edge>(c.x(), std::sqrt(half2), blocks_[0]);
+            const std::uint16_t* row =
+                block_uncovered_.data() +
+                static_cast<std::size_t>(k * blocks_[1] + j) * static_cast<std::size_t>(blocks_[0]);
+            for (int i = any.first; i < any.last; ++i) sum += row[i];
+        }
+    }
+    return sum;
+}
+
 std::size_t CellCover::exclusive(const Ball& ball) const {
     std::size_t sum = 0;
     visit_bricks(ball, filled_, [&](std::size_t brick, const auto& mask) {
@@ -209,7 +253,9 @@ void CellCover::mark(const Ball& ball) {
     visit_bricks(ball, open_, [&](std::size_t brick, const auto& mask) {
         VoxelWord& word = uncovered_[brick];
         const VoxelWord hit = word & mask();
-        uncovered_count_ -= static_cast<std::size_t>(std::popcount(hit));
+        const int count = std::popcount(hit);
+        uncovered_count_ -= static_cast<std::size_t>(count);
+        block_uncovered_[block_of(brick)] -= static_cast<std::uint16_t>(count);
         word ^= hit;
         if (word == 0) word_of(open_, brick) &= ~bit_of(brick);
     });
@@ -235,7 +281,9 @@ void CellCover::take_out(const Ball& ball, const Visit& visit) {
         if (left == 0) return;
         uncovered_[brick] |= left;
         word_of(open_, brick) |= bit_of(brick);
-        uncovered_count_ += static_cast<std::size_t>(std::popcount(left));
+        const int count = std::popcount(left);
+        uncovered_count_ += static_cast<std::size_t>(count);
+        block_uncovered_[block_of(brick)] += static_cast<std::uint16_t>(count);
         for (VoxelWord rest = left; rest != 0; rest &= rest - 1)
             visit(brick, std::countr_zero(rest));
     });

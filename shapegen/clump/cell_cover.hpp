@@ -29,6 +29,9 @@ class CellCover {
     /// How many uncovered cells the ball would cover.
     std::size_t gain(const Ball& ball) const;
 
+    /// No less than gain() and sooner counted: by the uncovered cells of whole blocks.
+    std::size_t gain_bound(const Ball& ball) const;
+
     /// How many cells no other ball covers; the ball is one of those inserted.
     std::size_t exclusive(const Ball& ball) const;
 
@@ -48,6 +51,7 @@ class CellCover {
 
     template <class Visit>
     void visit_bricks(const Ball& ball, const BrickBits& which, const Visit& visit) const;
+    std::size_t block_of(std::size_t brick) const;
     VoxelWord& word_of(BrickBits& bits, std::size_t brick) const;
     VoxelWord bit_of(std::size_t brick) const;
     template <class Visit>
@@ -60,6 +64,8 @@ class CellCover {
     BrickBits filled_, open_;      ///< bricks with cells, and with uncovered ones
     std::vector<VoxelWord> solid_;
     std::vector<VoxelWord> uncovered_;
+    std::array<int, 3> blocks_{};  ///< of 2 x 2 x 2 bricks, along each axis
+    std::vector<std::uint16_t> block_uncovered_;  ///< cells in each
     /// Of balls, from the first one inserted on: those that hold a whole brick, and, cell by cell,
     /// the others.
     std::vector<std::uint16_t> brick_counts_, cell_counts_;

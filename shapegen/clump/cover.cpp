@@ -41,9 +41,16 @@ void count_top(std::span<const Ball> candidates, const CellCover& cover, std::si
         stale[count] = heap.top();
         heap.pop();
     }
+    const std::size_t next = heap.empty() ? 0 : heap.top().gain;
 #pragma omp parallel for schedule(dynamic)
-    for (std::size_t n = 0; n < count; ++n)
-        stale[n] = {{cover.gain(candidates[stale[n].candidate]), stale[n].candidate}, now};
+    for (std::size_t n = 0; n < count; ++n) {
+        DatedBid& bid = stale[n];
+        const Ball& ball = candidates[bid.candidate];
+        bid.gain = std::min(bid.gain, cover.gain_bound(ball));
+        if (bid.gain < next) continue;  // others are better as it seems
+        bid.gain = cover.gain(ball);
+        bid.counted_at = now;
+    }
     for (std::size_t n = 0; n < count; ++n)
         if (stale[n].gain > 0) heap.push(stale[n]);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/clump/fit.hpp"
 
-#include "shapegen/clump/ball_tree.hpp"
+#include "shapegen/clump/sample_blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,16 +15,13 @@ namespace {
 using Vec4 = Eigen::Matrix<double, 4, 1>;
 using Mat4 = Eigen::Matrix<double, 4, 4>;
 
-/// The ball that each sample is nearest to, kept up to date while the balls move. A sample whose
-/// next ball is farther away than the balls can have come since is not searched anew.
+/// The ball that each sample is nearest to.
 class Assignment {
   public:
-    explicit Assignment(std::span<const SurfaceSample> samples)
-        : samples_(samples),
-          answers_(samples.size(), {{0, 0.0}, -std::numeric_limits<double>::infinity()}) {}
+    explicit Assignment(std::span<const SurfaceSample> samples) : blocks_(samples) {}
 
-    /// After the balls have moved, none of their surfaces by more than `drift` [m].
-    void update(std::span<const Ball> balls, double drift);
+    /// After the balls have moved.
+    void update(std::span<const Ball> balls);
 
     /// Numbers of the samples of a ball.
     std::span<const std::uint32_t> samples_of(std::size_t ball) const {
@@ -33,36 +30,24 @@ class Assignment {
     double sum_of_squares() const { return sum_of_squares_; }  ///< of the distances [m^2]
 
   private:
-    std::span<const SurfaceSample> samples_;
-    std::vector<BallTree::CloseAnswer> answers_;
+    SampleBlocks blocks_;
     std::vector<std::uint32_t> order_;  ///< by the ball
     std::vector<std::uint32_t> begin_;  ///< of each ball's; one more at the end
     double sum_of_squares_ = 0.0;
 };
 
-void Assignment::update(std::span<const Ball> balls, double drift) {
-    const BallTree tree(balls);
-    // Searching wider than needed costs little and saves searches to come.
-    const double room = 4.0 * drift;
-#pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-        BallTree::CloseAnswer& answer = answers_[i];
-        const Vec3& x = samples_[i].point;
-        const Ball& ball = balls[answer.ball];
-        answer.distance = (x - ball.center).norm() - ball.radius;
-        answer.others -= drift;
-        if (!(answer.distance < answer.others)) answer = tree.nearest_two(x, answer.ball, room);
-    }
+void Assignment::update(std::span<const Ball> balls) {
+    const std::vector<BallTree::Answer> answers = blocks_.nearest(BallTree(balls), balls);
     begin_.assign(balls.size() + 1, 0);
     sum_of_squares_ = 0.0;
-    for (const auto& answer : answers_) {
+    for (const auto& answer : answers) {
         ++begin_[answer.ball + 1];
         sum_of_squares_ += square(answer.distance);
     }
     for (std::size_t b = 0; b < balls.size(); ++b) begin_[b + 1] += begin_[b];
-    order_.resize(samples_.size());
+    order_.resize(answers.size());
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t i = 0; i < samples_.size(); ++i) order_[next[answers_[i].ball]++] = i;
+    for (std::uint32_t i = 0; i < answers.size(); ++i) order_[next[answers[i].ball]++] = i;
 }
 
 /// The surface points that a ball is to follow.
@@ -196,14 +181,13 @@ void fit(const SurfaceQuery& surface, std::span<const SurfaceSample> samples,
         placed[b] = {balls[b], surface.nearest(balls[b].center)};
     Assignment assignment(samples);
     std::vector<Ball> best = balls;
-    std::vector<double> moved(balls.size(), 0.0);
     double least = std::numeric_limits<double>::infinity();
     constexpr int patience = 5;  // steps without
     constexpr double enough = 0.99;
     double least_at_progress = least;
     int progress_at = 0;
     for (int step = 0; step <= options.steps; ++step) {
-        assignment.update(balls, *std::max_element(moved.begin(), moved.end()));
+        assignment.update(balls);
         if (assignment.sum_of_squares() < enough * least_at_progress) {
             least_at_progress = assignment.sum_of_squares();
             progress_at = step;
@@ -215,14 +199,10 @@ void fit(const SurfaceQuery& surface, std::span<const SurfaceSample> samples,
         if (step == options.steps || step - progress_at == patience) break;
 #pragma omp parallel for schedule(dynamic, 16) if (balls.size() >= 200)
         for (std::size_t b = 0; b < balls.size(); ++b) {
-            moved[b] = 0.0;
             const auto own = assignment.samples_of(b);
             if (own.empty()) continue;
-            const Ball before = balls[b];
             placed[b] = Improvement(surface, Patch(samples, own), options, placed[b])();
             balls[b] = placed[b].ball;
-            moved[b] = (balls[b].center - before.center).norm() +
-                       std::abs(balls[b].radius - before.radius);
         }
     }
     balls = best;

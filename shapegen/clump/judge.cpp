@@ -3,7 +3,7 @@
 
 #include "common/shapes/mass_properties.hpp"
 #include "shapegen/clump/ball_rows.hpp"
-#include "shapegen/clump/ball_tree.hpp"
+#include "shapegen/clump/sample_blocks.hpp"
 #include "shapegen/clump/surface_samples.hpp"
 #include "shapegen/voxel/voxelize.hpp"
 
@@ -100,25 +100,18 @@ void measure_volumes(const SurfaceQuery& surface, double volume, std::span<const
 void measure_surface(const SurfaceQuery& surface, double d_eq, std::span<const Ball> balls,
                      ClumpQuality& quality) {
     const std::vector<SurfaceSample> samples = surface_samples(surface.mesh(), sample_count);
-    const BallTree tree(balls);
-    std::vector<double> gap(samples.size());
-    std::vector<double> angle(samples.size());
-    std::uint32_t likely = 0;  // neighbors in the list mostly are on the surface
-#pragma omp parallel for schedule(static) firstprivate(likely)
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        const auto [ball, distance] = tree.nearest(samples[i].point, likely);
-        likely = ball;
-        gap[i] = distance;
-        const Vec3 way = samples[i].point - balls[ball].center;
-        angle[i] = std::atan2(way.cross(samples[i].normal).norm(), way.dot(samples[i].normal));
-    }
+    const auto nearest = SampleBlocks(samples).nearest(BallTree(balls), balls);
     double squares = 0.0;
     double slopes = 0.0;
     double deepest = 0.0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        squares += square(gap[i]);
-        slopes += square(angle[i]);
-        deepest = std::max(deepest, gap[i]);
+        const auto [ball, distance] = nearest[i];
+        const Vec3 way = samples[i].point - balls[ball].center;
+        const double angle =
+            std::atan2(way.cross(samples[i].normal).norm(), way.dot(samples[i].normal));
+        squares += square(distance);
+        slopes += square(angle);
+        deepest = std::max(deepest, distance);
     }
     const auto count = static_cast<double>(samples.size());
     quality.rms_deviation = std::sqrt(squares / count) / d_eq;

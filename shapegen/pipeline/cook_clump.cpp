@@ -47,6 +47,7 @@ CookedClump cook_clump(const Solid& solid, const ClumpRequest& request) {
     shape.mean_squared_surface_distance = solid.mean_squared_surface_distance;
     shape.bounding_radius = bounding_radius(solid, clump.balls);
     shape.is_convex = solid.is_convex;
+    if (request.options.progress) request.options.progress(0.95, "surface for pictures");
     shape.display_mesh = solid.display_mesh.get();
     shape.input_unit = solid.unit;
     shape.certificate = clump_certificate(clump, masses, shape.display_mesh.max_deviation / d_eq);

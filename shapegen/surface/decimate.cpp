@@ -4,15 +4,16 @@
 #include <algorithm>
 #include <utility>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 namespace dem {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
 Surface cgal_mesh(const TriangleMesh& mesh) {
@@ -66,7 +67,9 @@ DisplayMesh decimated(const SurfaceQuery& surface, std::size_t triangles) {
     if (mesh.triangles.size() <= triangles) return {mesh.vertices, mesh.triangles, 0.0};
     Surface coarse = cgal_mesh(mesh);
     const std::size_t edges = 3 * triangles / 2;  // every triangle has half of three
-    sms::edge_collapse(coarse, sms::Count_stop_predicate<Surface>(edges));
+    const sms::GarlandHeckbert_plane_policies<Surface, Kernel> quadrics(coarse);
+    sms::edge_collapse(coarse, sms::Count_stop_predicate<Surface>(edges),
+                       CGAL::parameters::get_cost(quadrics.get_cost()).get_placement(quadrics.get_placement()));
     TriangleMesh result = triangle_mesh(coarse);
     const double largest = deviation(surface, result);
     return {std::move(result.vertices), std::move(result.triangles), largest};

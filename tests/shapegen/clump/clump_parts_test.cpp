@@ -3,6 +3,7 @@
 #include "shapegen/clump/candidates.hpp"
 #include "shapegen/clump/judge.hpp"
 #include "shapegen/clump/mass_balance.hpp"
+#include "shapegen/clump/sample_blocks.hpp"
 #include "shapegen/voxel/voxelize.hpp"
 #include "tests/common/shapes/sample_meshes.hpp"
 #include "tests/shapegen/clump/sample_balls.hpp"
@@ -53,15 +54,6 @@ TEST(BallTree, AnswersAsALoopDoes) {
         const auto likely = static_cast<std::uint32_t>(n % 200);  // right or wrong
         EXPECT_EQ(tree.nearest(x, likely).ball, best.ball);
         EXPECT_EQ(tree.nearest(x, likely).distance, best.distance);
-        double second = 1e30;
-        for (std::uint32_t i = 0; i < balls.size(); ++i)
-            if (i != best.ball)
-                second = std::min(second, (x - balls[i].center).norm() - balls[i].radius);
-        for (const double room : {0.0, 0.05, 1e3}) {
-            const auto two = tree.nearest_two(x, likely, room);
-            EXPECT_EQ(two.ball, best.ball);
-            EXPECT_EQ(two.others, std::min(second, best.distance + room));
-        }
         std::vector<std::uint32_t> meeting;
         const Ball other{x, 0.2};
         const double smallest = n % 2 == 0 ? 0.0 : 0.1;
@@ -73,6 +65,21 @@ TEST(BallTree, AnswersAsALoopDoes) {
                 (balls[i].center - x).norm() < balls[i].radius + other.radius)
                 expected.push_back(i);
         EXPECT_EQ(meeting, expected);
+    }
+}
+
+TEST(SampleBlocks, AnswerAsTheTreeDoes) {
+    const std::vector<SurfaceSample> samples = surface_samples(sample::sphere(1.0, 4), 5003);
+    for (const std::size_t count : {1U, 7U, 400U}) {
+        const std::vector<Ball> balls = test::random_balls(count, 8);
+        const BallTree tree(balls);
+        const auto answers = SampleBlocks(samples).nearest(tree, balls);
+        ASSERT_EQ(answers.size(), samples.size());
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const BallTree::Answer expected = tree.nearest(samples[i].point);
+            ASSERT_EQ(answers[i].ball, expected.ball);
+            ASSERT_EQ(answers[i].distance, expected.distance);
+        }
     }
 }
 

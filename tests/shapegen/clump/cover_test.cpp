@@ -39,6 +39,7 @@ TEST(CellCover, CountsAsALoopOverAllCellsDoes) {
         in.push_back(ball);
         const std::size_t after = count_uncovered(cells, in);
         EXPECT_EQ(cover.gain(ball), before - after);
+        for (const Ball& other : balls) EXPECT_GE(cover.gain_bound(other), cover.gain(other));
         cover.insert(ball);
         EXPECT_EQ(cover.uncovered(), after);
         EXPECT_EQ(cover.exclusive(ball), before - after);
@@ -50,6 +51,7 @@ TEST(CellCover, CountsAsALoopOverAllCellsDoes) {
     for (const Vec3& p : opened) EXPECT_TRUE(holds(balls[3], p));
     for (const Ball& ball : in) cover.erase(ball);
     EXPECT_EQ(cover.uncovered(), cover.cells());
+    EXPECT_EQ(cover.gain_bound({{0.0, 0.0, 0.0}, 10.0}), cover.cells());
 }
 
 TEST(Cover, LazyGreedyChoosesWhatPlainGreedyChooses) {
