@@ -36,6 +36,9 @@ class Progress {
     /// Work that was done before this one began: no part of the rate.
     void begin_at(double done);
 
+    /// For work of stages that differ: says no longer when it will probably end.
+    void leave_out_estimate() { has_estimate_ = false; }
+
     /// True when update() would print; for callers whose note costs something to make.
     bool is_due(double done) const;
 
@@ -61,6 +64,7 @@ class Progress {
     int tenths_printed_ = 0;
     std::size_t width_printed_ = 0;
     bool line_is_open_ = false;
+    bool has_estimate_ = true;
     // The rate is taken over the last 10 to 20 seconds: a packing that fills slows down all the
     // time, and an average since the start would promise too much.
     Sample older_, newer_;

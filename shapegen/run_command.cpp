@@ -36,8 +36,10 @@ void keep_input(const std::filesystem::path& input, const std::filesystem::path&
 /// Progress on stderr for work that takes more than a moment.
 class LateProgress {
   public:
-    LateProgress(std::string task, bool is_quiet)
-        : task_(std::move(task)), style_(Progress::stderr_style(is_quiet)) {}
+    LateProgress(std::string task, bool is_quiet, bool has_estimate)
+        : task_(std::move(task)),
+          style_(Progress::stderr_style(is_quiet)),
+          has_estimate_(has_estimate) {}
 
     void update(double done, std::string_view next) {
         constexpr double moment = 2.0;  // [s]
@@ -45,6 +47,7 @@ class LateProgress {
         if (!progress_) {
             progress_ = std::make_unique<Progress>(std::cerr, style_, task_, 1.0);
             progress_->begin_at(done);
+            if (!has_estimate_) progress_->leave_out_estimate();
         }
         progress_->update(done, next);
     }
@@ -52,6 +55,7 @@ class LateProgress {
   private:
     std::string task_;
     Progress::Style style_;
+    bool has_estimate_;
     double start_ = Progress::steady_seconds();
     std::unique_ptr<Progress> progress_;
 };
@@ -84,7 +88,7 @@ void write_convergence(const std::filesystem::path& path, const std::string& nam
 }
 
 Cooked cook_solid(const CookCommand& command) {
-    LateProgress progress("shapegen " + command.input.filename().string(), command.is_quiet);
+    LateProgress progress("shapegen " + command.input.filename().string(), command.is_quiet, false);
     constexpr double loading = 0.1;  // of the time
     MeshLoadOptions mesh = command.mesh;
     mesh.progress = part(progress, 0.0, loading);
@@ -129,7 +133,7 @@ void run(const CookCommand& command, std::ostream& out) {
 
 void run(const GenerateCommand& command, std::ostream& out) {
     const auto start = std::chrono::steady_clock::now();
-    LateProgress progress("shapegen generate", command.is_quiet);
+    LateProgress progress("shapegen generate", command.is_quiet, true);
     const LibraryRequest request{command.grains, command.count, command.text,
                                  part(progress, 0.0, 1.0)};
     const LibrarySummary made = generate_library(request, command.output);

@@ -91,7 +91,7 @@ RepairedMesh repair(TriangleSoup soup, const RepairOptions& options) {
     }
     if (!refused.empty()) refuse(refused, options, report.volume);
     check_limit(report, options);
-    stage(1.0, "done");
+    stage(1.0, "repaired");
     return result;
 }
 

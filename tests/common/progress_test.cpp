@@ -64,6 +64,16 @@ TEST(Progress, TheEstimateFollowsAChangeOfPace) {
         << out.str().substr(out.str().rfind('\r'));
 }
 
+TEST(Progress, WorkOfUnevenStagesHasNoEstimate) {
+    std::ostringstream out;
+    double now = 0.0;
+    Progress progress(out, Progress::Style::lines, "run", 1.0, [&] { return now; });
+    progress.leave_out_estimate();
+    now = 5.0;
+    progress.update(0.5, "fitting");
+    EXPECT_EQ(out.str(), "run  50.0 %, 5 s, fitting\n");
+}
+
 TEST(Progress, TheTerminalLineIsWipedAndEnded) {
     std::ostringstream out;
     double now = 0.0;
