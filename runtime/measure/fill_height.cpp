@@ -3,6 +3,7 @@
 
 #include "runtime/contact/touch.hpp"
 #include "runtime/measure/height_map.hpp"
+#include "runtime/measure/solid_fraction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,14 +23,6 @@ Vessel vessel_or_extent(const Particles& particles, const Scene& scene) {
         vessel.radius = std::max(vessel.radius, (x - vessel.center).cross(vessel.up).norm());
     }
     return vessel;
-}
-
-double mean_diameter(const Particles& particles, const Scene& scene) {
-    double sum = 0.0;
-    for (const std::uint32_t kind : particles.kind) {
-        sum += equivalent_diameter(scene.shapes[scene.kinds[kind].shape].mass_properties.volume);
-    }
-    return sum / static_cast<double>(particles.size());
 }
 
 // Fine against one particle; a bed thousands of diameters wide does with coarser.

@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 #include "runtime/measure/contact_count.hpp"
 #include "runtime/measure/fill_height.hpp"
+#include "runtime/measure/solid_fraction.hpp"
 #include "runtime/measure/vessel.hpp"
 
 namespace dem {
@@ -11,16 +12,6 @@ namespace dem {
 namespace {
 
 using Kind = MeasureSettings::Kind;
-
-// Of the vessel up to the highest point of any particle; 0 for an empty vessel.
-double solid_fraction(const Simulation& simulation, double height) {
-    const Scene& scene = simulation.scene();
-    double volume = 0.0;
-    for (const std::uint32_t kind : simulation.particles().kind) {
-        volume += scene.shapes[scene.kinds[kind].shape].mass_properties.volume;
-    }
-    return height > 0.0 ? volume / (find_vessel(scene)->cross_section * height) : 0.0;
-}
 
 double mean_coordination(const Simulation& simulation) {
     std::uint64_t sum = 0;
@@ -45,8 +36,13 @@ std::vector<std::string> measure_columns(const Scene& scene) {
                                              "]: a solid fraction needs walls that form a vessel: "
                                              "an upright inside cylinder or box with a floor");
         }
-        columns.push_back(measure.name +
-                          (measure.kind == Kind::contacts ? "_coordination" : "_solid_fraction"));
+        if (measure.kind == Kind::contacts) {
+            columns.push_back(measure.name + "_coordination");
+            continue;
+        }
+        for (const char* where : {"_solid_fraction", "_near_wall", "_core"}) {
+            columns.push_back(measure.name + where);
+        }
     }
     return columns;
 }
@@ -61,11 +57,14 @@ std::vector<double> measure_values(const Simulation& simulation) {
             case Kind::fill_height:
             case Kind::solid_fraction: {
                 const FillHeight h = fill_height(simulation.particles(), simulation.scene());
-                if (measure.kind == Kind::solid_fraction) {
-                    values.push_back(solid_fraction(simulation, h.highest));
-                } else {
+                if (measure.kind == Kind::fill_height) {
                     values.insert(values.end(), {h.highest, h.top_ten, h.surface});
+                    break;
                 }
+                const SolidFraction f =
+                    solid_fraction(simulation.particles(), simulation.scene(),
+                                   *find_vessel(simulation.scene()), h.highest);
+                values.insert(values.end(), {f.overall, f.near_wall, f.core});
                 break;
             }
         }

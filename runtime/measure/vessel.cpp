@@ -33,7 +33,7 @@ std::optional<Vessel> upright_cylinder(const Scene& scene, const Vec3& up) {
         if (cylinder == nullptr || !cylinder->inside) continue;
         if (std::abs(axis_of(wall).dot(up)) < upright) continue;
         Vessel vessel{Vessel::Shape::cylinder,      up, wall.position, 0.0, cylinder->radius,
-                      pi * square(cylinder->radius)};
+                      pi * square(cylinder->radius), up.unitOrthogonal(), 0.0};
         const double end = wall.position.dot(up);
         const double other = end + cylinder->length * axis_of(wall).dot(up);
         vessel.floor = floor_height(scene, up).value_or(std::min(end, other));
@@ -71,7 +71,7 @@ std::optional<Vessel> upright_box(const Scene& scene, const Vec3& up) {
     const Vec3 center =
         0.5 * (low.x() + high.x()) * side + 0.5 * (low.y() + high.y()) * other + *floor * up;
     const double radius = 0.5 * std::hypot(width, depth);
-    return Vessel{Vessel::Shape::box, up, center, *floor, radius, width * depth};
+    return Vessel{Vessel::Shape::box, up, center, *floor, radius, width * depth, side, width};
 }
 
 }  // namespace

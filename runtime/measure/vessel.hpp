@@ -18,6 +18,8 @@ struct Vessel {
     double floor = 0.0;          ///< height of the floor along `up` from the world's origin [m]
     double radius = 0.0;         ///< of the circle about `center` that holds the cross-section [m]
     double cross_section = 0.0;  ///< [m^2]
+    Vec3 side = Vec3::UnitX();   ///< unit, horizontal; of a box normal to two of its walls
+    double width = 0.0;          ///< of a box along `side` [m]
 };
 
 /// Unit vector against gravity; z without gravity.

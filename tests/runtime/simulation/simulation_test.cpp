@@ -6,6 +6,7 @@
 #include "runtime/measure/contact_count.hpp"
 #include "runtime/measure/energy.hpp"
 #include "runtime/measure/fill_height.hpp"
+#include "runtime/measure/solid_fraction.hpp"
 #include "runtime/time_step.hpp"
 #include "tests/runtime/simulation/scenes.hpp"
 
@@ -197,6 +198,36 @@ TEST(FillHeight, OfTheSurfaceIsTheVolumeBelowIt) {
         simulation.step();
         const FillHeight height = fill_height(simulation.particles(), simulation.scene());
         EXPECT_NEAR(height.surface, below / area, 2e-2 * below / area);
+    }
+}
+
+// A sphere in the middle of a cylinder of three radii, whose core is one of one radius; and in the
+// middle of a box of five radii by six, whose core is one by two.
+TEST(SolidFraction, IsThatOfTheWallsNeighborhoodAndOfTheCore) {
+    Scene cylinder = spheres_over_a_floor({at(0.0, 0.0, radius)});
+    scenes::add_vessel(cylinder, 3.0 * radius);
+    Scene box = spheres_over_a_floor({at(0.0, 0.0, radius)});
+    scenes::add_box(box, {-2.5 * radius, -3.0 * radius, 0.0}, {2.5 * radius, 3.0 * radius, 1.0});
+    struct Case {
+        Scene* scene;
+        double area, core;
+    };
+    for (const auto& [scene, area, core] : {Case{&cylinder, 9.0 * pi, 2.0 / 3.0},
+                                            Case{&box, 30.0, -1.0}}) {
+        Simulation simulation(*scene, 1e-6);
+        simulation.step();
+        const auto vessel = find_vessel(simulation.scene());
+        ASSERT_TRUE(vessel);
+        const SolidFraction f = solid_fraction(simulation.particles(), simulation.scene(), *vessel,
+                                               2.0 * radius);
+        const double overall = 4.0 / 3.0 * pi / (2.0 * area);
+        EXPECT_NEAR(f.overall, overall, 1e-12);
+        const double core_area = core > 0.0 ? pi : 2.0;
+        EXPECT_NEAR(f.near_wall * (area - core_area) + f.core * core_area, overall * area, 0.01);
+        if (core > 0.0) {
+            EXPECT_NEAR(f.core, core, 0.005);
+            EXPECT_EQ(f.near_wall, 0.0);
+        }
     }
 }
 
