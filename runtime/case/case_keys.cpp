@@ -405,6 +405,19 @@ constexpr Key measure_keys[] = {
      .standard = "auto",
      .words = "auto",
      .doc = "between samples; `auto`: history_every"},
+    {.name = "bottom",
+     .dimension = length,
+     .range = not_negative,
+     .standard = "0",
+     .when = "kind=solid_fraction",
+     .doc = "of the layer that is looked at, above the vessel's floor"},
+    {.name = "top",
+     .dimension = length,
+     .range = positive,
+     .standard = "auto",
+     .words = "auto",
+     .when = "kind=solid_fraction",
+     .doc = "of that layer; `auto`: the highest point of any particle"},
 };
 
 constexpr SectionKind kinds[] = {

@@ -75,6 +75,14 @@ MeasureSettings read_measure(const Values& values, const OutputSettings& output)
     measure.name = own_name(values.section_name());
     measure.kind = values.choice<MeasureSettings::Kind>("kind");
     measure.every = values.optional_number("every").value_or(output.history_every);
+    if (measure.kind == MeasureSettings::Kind::solid_fraction) {
+        measure.bottom = values.number("bottom");
+        measure.top = values.optional_number("top");
+        if (measure.top && *measure.top <= measure.bottom)
+            throw Error(values.where("top"), "'" + values.text("top") +
+                                                 "' found, expected more than bottom = " +
+                                                 values.text("bottom"));
+    }
     return measure;
 }
 

@@ -61,9 +61,9 @@ std::vector<double> measure_values(const Simulation& simulation) {
                     values.insert(values.end(), {h.highest, h.top_ten, h.surface});
                     break;
                 }
-                const SolidFraction f =
-                    solid_fraction(simulation.particles(), simulation.scene(),
-                                   *find_vessel(simulation.scene()), h.highest);
+                const SolidFraction f = solid_fraction(
+                    simulation.particles(), simulation.scene(), *find_vessel(simulation.scene()),
+                    {measure.bottom, measure.top.value_or(h.highest)});
                 values.insert(values.end(), {f.overall, f.near_wall, f.core});
                 break;
             }

@@ -12,15 +12,16 @@ namespace {
 
 constexpr int point_count = 40'000;
 
-/// Points that fill a vessel evenly, in rising height: a Hammersley set with the two-dimensional
+/// Points that fill a layer of a vessel evenly, in rising height: a Hammersley set with the two-dimensional
 /// sequence of Roberts, whose steps are powers of 1/1.3247 (x^3 = x + 1).
 struct VesselPoints {
     std::vector<Vec3> points;           ///< world [m]
     std::vector<double> from_the_wall;  ///< distance from the nearest side wall [m]
 
-    VesselPoints(const Vessel& vessel, double height) {
-        const Vec3 floor =
-            vessel.center + (vessel.floor - vessel.center.dot(vessel.up)) * vessel.up;
+    VesselPoints(const Vessel& vessel, const Layer& layer) {
+        const Vec3 bottom =
+            vessel.center +
+            (vessel.floor + layer.bottom - vessel.center.dot(vessel.up)) * vessel.up;
         const Vec3 other = vessel.up.cross(vessel.side);
         for (int n = 0; n < point_count; ++n) {
             const double u = std::fmod(0.5 + 0.7548776662466927 * n, 1.0);
@@ -28,8 +29,8 @@ struct VesselPoints {
             const double w = (n + 0.5) / point_count;
             const Vec2 place = vessel.shape == Vessel::Shape::box ? in_box(vessel, u, v)
                                                                   : in_circle(vessel, u, v);
-            points.push_back(floor + place.x() * vessel.side + place.y() * other +
-                             w * height * vessel.up);
+            points.push_back(bottom + place.x() * vessel.side + place.y() * other +
+                             w * (layer.top - layer.bottom) * vessel.up);
         }
     }
 
@@ -59,19 +60,18 @@ double mean_diameter(const Particles& particles, const Scene& scene) {
 }
 
 SolidFraction solid_fraction(const Particles& particles, const Scene& scene, const Vessel& vessel,
-                             double height) {
+                             const Layer& layer) {
     SolidFraction result;
+    const double height = layer.top - layer.bottom;
     if (particles.size() == 0 || !(height > 0.0)) return result;
-    const VesselPoints vessel_points(vessel, height);
+    const VesselPoints vessel_points(vessel, layer);
     const std::vector<Vec3>& points = vessel_points.points;
     std::vector<char> is_solid(points.size(), 0);
-    double volume = 0.0;
     for (std::uint32_t i = 0; i < particles.size(); ++i) {
         const ParticleTemplate& shape = scene.shapes[scene.kinds[particles.kind[i]].shape];
-        volume += shape.mass_properties.volume;
         const Vec3& center = particles.position[i];
         const Quat to_body = particles.orientation[i].conjugate();
-        const double middle = center.dot(vessel.up) - vessel.floor;
+        const double middle = center.dot(vessel.up) - vessel.floor - layer.bottom;
         const auto number = [&](double z) {
             return static_cast<std::size_t>(std::clamp(z / height, 0.0, 1.0) * point_count);
         };
@@ -83,19 +83,19 @@ SolidFraction solid_fraction(const Particles& particles, const Scene& scene, con
                 is_solid[n] = is_inside(shape, to_body * off) ? 1 : 0;
         }
     }
-    result.overall = volume / (vessel.cross_section * height);
-    const double layer = mean_diameter(particles, scene);
+    const double diameter = mean_diameter(particles, scene);
     std::size_t near_wall = 0;
     std::size_t solid_near_wall = 0;
     std::size_t solid_core = 0;
     for (std::size_t n = 0; n < points.size(); ++n) {
-        const bool is_near = vessel_points.from_the_wall[n] < layer;
+        const bool is_near = vessel_points.from_the_wall[n] < diameter;
         near_wall += is_near ? 1U : 0U;
         (is_near ? solid_near_wall : solid_core) += is_solid[n] != 0 ? 1U : 0U;
     }
     const auto share = [](std::size_t part, std::size_t whole) {
         return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
     };
+    result.overall = share(solid_near_wall + solid_core, points.size());
     result.near_wall = share(solid_near_wall, near_wall);
     result.core = share(solid_core, points.size() - near_wall);
     return result;
