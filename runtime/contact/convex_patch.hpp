@@ -156,13 +156,13 @@ inline void add_remaining(const FeaturePoint& point, const FeatureSum& others,
 /// History of a pair of which at least one body is of kind `convex`. All zero: no contact.
 struct ConvexHistory {
     StoredVec3 normal;              ///< last direction of the normal force, from j towards i
-    StoredVec3 anchor;              ///< last center of the contact, from the center of i [m]
     StoredVec3 spring;              ///< tangential, half a step ahead [m]
     double twist = 0.0;             ///< relative rotation about the normal, the same [rad]
     double effective_radius = 0.0;  ///< R* frozen at onset [m]
     double phase = 0.0;             ///< age in radians of its own oscillation
     double stiffness = 0.0;         ///< of the spring in the step before [N/m]
     double twist_stiffness = 0.0;   ///< [N m]
+    double weight = 0.0;            ///< of the features together in the step before
     SearchStart search;             ///< where the search for the distance starts
     std::uint64_t cores_met = 0;    ///< whether the cores have overlapped in this contact
 };

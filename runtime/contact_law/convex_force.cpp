@@ -51,9 +51,13 @@ void add_torsion(const Patch& patch, const PairState& pair, const ContactLaw& la
     const double gamma = patch.c.gamma_t * patch.weight * patch.spread2;
     const double limit = law.friction * std::abs(patch.normal_force) * std::sqrt(patch.spread2);
     const double rate = (pair.i.angular_velocity - pair.j.angular_velocity).dot(patch.normal);
-    contact.dissipated_energy += 0.5 * (history.twist_stiffness - k) * square(history.twist);
+    // Friction that is new to the patch starts without stretch: the torque stays, a part of the
+    // twist goes. What leaves the patch takes its energy along.
+    const double before = history.twist_stiffness;
+    const double kept = k > before ? before / k : 1.0;
+    contact.dissipated_energy += 0.5 * (before - k * square(kept)) * square(history.twist);
     history.twist_stiffness = k;
-    Vec3 lead(0.0, 0.0, history.twist);
+    Vec3 lead(0.0, 0.0, kept * history.twist);
     const hertz::TangentialForce t =
         hertz::tangential_force(k, gamma, limit, Vec3(0.0, 0.0, rate), dt, lead);
     history.twist = k > 0.0 ? lead.z() : 0.0;
@@ -73,12 +77,11 @@ void add_friction(const Patch& patch, const PairState& pair, const ContactLaw& l
     if (history.effective_radius > 0.0) {
         const double spin = 0.5 * n.dot(pair.i.angular_velocity + pair.j.angular_velocity);
         spring = hertz::carried(history.spring, history.normal, n, spin * dt);
-        // The center moves over the bodies, which have turned against each other: what the spring
-        // would have been there. Material that was at the old center has moved by u/2 on average.
-        const Vec3 material = Vec3(history.anchor) +
-                              (pair.i.angular_velocity.cross(Vec3(history.anchor)) - 0.5 * u) * dt;
-        const Vec3 shift = patch.center - material;
-        spring += history.twist * n.cross(shift);
+        // As the twist below.
+        const double kept = std::min(history.weight / patch.weight, 1.0);
+        contact.dissipated_energy +=
+            0.5 * history.stiffness * (1.0 - square(kept)) * spring.squaredNorm();
+        spring *= kept;
     } else {
         history.twist = 0.0;
     }
@@ -89,6 +92,7 @@ void add_friction(const Patch& patch, const PairState& pair, const ContactLaw& l
         hertz::tangential_force(k_t, patch.c.gamma_t * patch.weight, limit, u_t, dt, spring);
     history.spring = spring;
     history.stiffness = k_t;
+    history.weight = patch.weight;
     contact.force += t.force;
     contact.torque_i += patch.center.cross(t.force);
     contact.torque_j -= (patch.center - pair.displacement).cross(t.force);
@@ -125,7 +129,6 @@ PairContact contact_force(const FeatureSum& features, double local_radius, const
     contact.elastic_energy = elastic;
     if (law.friction > 0.0) add_friction(patch, pair, law, dt, history, contact);
     history.normal = patch.normal;
-    history.anchor = patch.center;
     contact.overlap = patch.overlap;
     contact.points = features.count();
     contact.dissipated_energy +=

@@ -129,6 +129,41 @@ TEST(ConvexCollision, ElasticBouncesKeepTheEnergy) {
     }
 }
 
+/// Cubes that hit nearly face to face with friction: the patch wanders from an edge over the face.
+TEST(ConvexCollision, FrictionOfAWanderingPatchMakesNoEnergy) {
+    const ConvexSolid box = make_cuboid({0.006, 0.005, 0.004}, 5e-5);
+    const ContactLaw hertz = pair_law(stuff, stuff, 1.0);
+    for (ContactLaw law : {hertz, linear_law(1e4, 1.0, 1.0, hertz)}) {
+        law.friction = 0.3;
+        const bool is_linear = law.model == ContactLaw::Model::linear;
+        Random random(3, 0);
+        for (int trial = 0; trial < 12; ++trial) {
+            TwoBodies bodies;
+            bodies.i.inverse = bodies.j.inverse = inertia_of(box);
+            const Vec3 axis = random.direction();
+            bodies.j.orientation = rotation(random.uniform(0.002, 0.05) * axis);
+            bodies.j.position = {random.uniform(-1e-3, 1e-3), random.uniform(-1e-3, 1e-3), 0.0042};
+            bodies.j.velocity = {random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), -0.3};
+            const double start = bodies.kinetic_energy();
+            const double dt = is_linear ? 4e-7 : 1e-7;
+            Host host;
+            double least = start;
+            double climb = 0.0;
+            for (int step = 0; step < static_cast<int>(4e-3 / dt); ++step) {
+                bodies.step(dt, [&](const PairState& state, double h) {
+                    return collide(box.shape, box.shape, state, law, h, host.memory());
+                });
+                const double energy = bodies.mechanical_energy();
+                least = std::min(least, energy);
+                climb = std::max(climb, energy - least);
+            }
+            // By Hertz's law the tangential spring stiffens under load, as for spheres.
+            EXPECT_LT(climb, (is_linear ? 3e-5 : 1e-2) * start) << trial;
+            EXPECT_NEAR(bodies.mechanical_energy() + bodies.dissipated, start, 3e-5 * start);
+        }
+    }
+}
+
 /// A cube that falls onto a plane with one of its directions down; its center is above the contact.
 double restitution(const Vec3& down_body, double e) {
     const ConvexSolid cube = make_cuboid(Vec3::Constant(size), 0.01 * size);
