@@ -27,7 +27,9 @@ void add_normal(const FeatureSum& features, const ContactLaw& law, double dt, Pa
                 PairContact& contact) {
     const double scale = features.scale();
     const double spring = scale * patch.c.k_n * features.overlap();
-    const double dashpot = scale * patch.c.gamma_n;
+    const double share =
+        hertz::dashpot_share(law, patch.c, patch.overlap, scale * features.rate(), dt);
+    const double dashpot = share * scale * patch.c.gamma_n;
     patch.normal_force = spring * features.weight() + dashpot * features.rate();
     if (law.limit_force && patch.normal_force < 0.0) {
         patch.normal_force = 0.0;

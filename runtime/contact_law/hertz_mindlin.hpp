@@ -99,6 +99,23 @@ inline Coefficients coefficients(const ContactLaw& law, double radius, double ov
     return c;
 }
 
+/// How long the normal dashpot acts in this step, in steps. A linear one sets in with its full force
+/// at the touch and stops at the parting: where one of them is less than a step away it acts from
+/// half a step before to half a step after now, but not beyond. Without this a restitution of 0.3
+/// is off by up to 0.01 at t_c/50. Hertz's dashpot sets in from zero.
+inline double dashpot_share(const ContactLaw& law, const Coefficients& c, double overlap,
+                            double rate, double dt) {
+    if (law.model != ContactLaw::Model::linear) return 1.0;
+    if (rate > 0.0) return overlap < rate * dt ? 0.5 + overlap / (rate * dt) : 1.0;
+    // Until the next step the bodies part at the rate that this step's forces leave. A longer pull
+    // must not keep them together for a step that it has counted already.
+    const double push = -rate + 0.5 * dt * square(c.frequency) * overlap;
+    const double pull = -0.5 * dt * c.frequency * law.damping * rate;
+    const double path = (push - pull) * dt;
+    if (!(overlap < path && pull > 0.0)) return 1.0;
+    return std::min(0.5 + overlap / path, 0.5 + 0.5 * (push - overlap / dt) / pull);
+}
+
 /// Lets R* drift, ages the contact by `turn` [rad] and returns what the change of R* took away of
 /// the energy `elastic` of the normal spring [J], which goes with sqrt(R*). What it takes from the
 /// tangential spring, softening_loss finds in the next step.

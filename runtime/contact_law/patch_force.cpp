@@ -44,7 +44,7 @@ class NormPatch {
   public:
     NormPatch(std::span<const ContactPoint> points, const PairState& pair, const ContactLaw& law,
               double radius)
-        : pair_(pair), limit_(law.limit_force) {
+        : pair_(pair), law_(law) {
         double deepest = 0.0;
         for (const ContactPoint& p : points) deepest = std::max(deepest, p.overlap);
         double sum = 0.0;
@@ -80,8 +80,8 @@ class NormPatch {
         s.velocity = relative_velocity(pair_, p.position);
         const double rate = -s.velocity.dot(p.gradient);
         const double spring = w * c.k_n * overlap_;
-        s.force = spring + w * c.gamma_n * rate;
-        if (limit_) s.force = std::max(s.force, 0.0);
+        s.force = spring + hertz::dashpot_share(law_, c, overlap_, rate, dt) * w * c.gamma_n * rate;
+        if (law_.limit_force) s.force = std::max(s.force, 0.0);
         s.dissipated = (s.force - spring) * rate * dt;
         s.k_t = w * c.k_t;
         s.gamma_t = w * c.gamma_t;
@@ -94,7 +94,7 @@ class NormPatch {
 
   private:
     const PairState& pair_;
-    bool limit_;
+    const ContactLaw& law_;
     double overlap_ = 0.0;
     double elastic_ = 0.0;
     hertz::Coefficients coefficients_{};
@@ -119,7 +119,7 @@ class SumPatch {
         s.velocity = relative_velocity(pair_, p.position);
         const double rate = -s.velocity.dot(p.gradient);
         const double spring = c.k_n * p.overlap;
-        s.force = spring + c.gamma_n * rate;
+        s.force = spring + hertz::dashpot_share(law_, c, p.overlap, rate, dt) * c.gamma_n * rate;
         if (law_.limit_force) s.force = std::max(s.force, 0.0);
         s.dissipated = (s.force - spring) * rate * dt;
         s.k_t = c.k_t;

@@ -48,7 +48,8 @@ inline PointForce point_force(const PointMotion& point, double local_radius, con
     const double rate = point.overlap_rate;
     const double spring_force = c.k_n * point.overlap;
 
-    PointForce f{spring_force + c.gamma_n * rate, Vec3::Zero(), 0.0, 0.0};
+    const double dashpot = hertz::dashpot_share(law, c, point.overlap, rate, dt) * c.gamma_n * rate;
+    PointForce f{spring_force + dashpot, Vec3::Zero(), 0.0, 0.0};
     if (law.limit_force) f.normal = std::max(f.normal, 0.0);
     const double normal_elastic = hertz::elastic_share(law) * spring_force * point.overlap;
     f.elastic = normal_elastic;
