@@ -85,7 +85,8 @@ void Progress::update(double done, std::string_view note) {
     std::snprintf(percent, sizeof percent, "%5.1f %%", 100.0 * fraction);
     std::string line = task_ + " " + percent + ", " + format_duration(now - start_);
     const double remaining = remaining_seconds(now, done);
-    if (has_estimate_ && remaining >= 0.0) line += ", about " + format_duration(remaining) + " left";
+    if (has_estimate_ && remaining >= 0.0)
+        line += ", about " + format_duration(remaining) + " left";
     if (!note.empty()) line.append(", ").append(note);
     print(line, false);
     last_print_ = now;

@@ -52,8 +52,8 @@ std::optional<Circle> meeting_circle(const ClumpSphere& a, const ClumpSphere& b)
                   std::sqrt(std::max(square(a.radius) - square(along), 0.0))};
 }
 
-/// The point of the surface of a union of spheres that is nearest to a point inside: the nearest one
-/// of a sphere, of a circle where two meet, or a corner where three meet, that no other sphere
+/// The point of the surface of a union of spheres that is nearest to a point inside: the nearest
+/// one of a sphere, of a circle where two meet, or a corner where three meet, that no other sphere
 /// holds.
 class NearestFromInside {
   public:
@@ -117,8 +117,7 @@ class NearestFromInside {
         const Vec3 off = x_ - circle->center;
         const double height = off.dot(circle->axis);
         const Vec3 in_plane = off - height * circle->axis;
-        const double nearest =
-            std::sqrt(square(height) + square(in_plane.norm() - circle->radius));
+        const double nearest = std::sqrt(square(height) + square(in_plane.norm() - circle->radius));
         if (nearest >= best_) return;
         const Vec3 way = unit_or(in_plane, circle->axis.unitOrthogonal());
         const Vec3 p = circle->center + circle->radius * way;

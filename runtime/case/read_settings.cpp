@@ -79,9 +79,9 @@ MeasureSettings read_measure(const Values& values, const OutputSettings& output)
         measure.bottom = values.number("bottom");
         measure.top = values.optional_number("top");
         if (measure.top && *measure.top <= measure.bottom)
-            throw Error(values.where("top"), "'" + values.text("top") +
-                                                 "' found, expected more than bottom = " +
-                                                 values.text("bottom"));
+            throw Error(values.where("top"),
+                        "'" + values.text("top") +
+                            "' found, expected more than bottom = " + values.text("bottom"));
     }
     return measure;
 }

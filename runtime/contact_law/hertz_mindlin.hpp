@@ -99,10 +99,10 @@ inline Coefficients coefficients(const ContactLaw& law, double radius, double ov
     return c;
 }
 
-/// How long the normal dashpot acts in this step, in steps. A linear one sets in with its full force
-/// at the touch and stops at the parting: where one of them is less than a step away it acts from
-/// half a step before to half a step after now, but not beyond. Without this a restitution of 0.3
-/// is off by up to 0.01 at t_c/50. Hertz's dashpot sets in from zero.
+/// How long the normal dashpot acts in this step, in steps. A linear one sets in with its full
+/// force at the touch and stops at the parting: where one of them is less than a step away it acts
+/// from half a step before to half a step after now, but not beyond. Without this a restitution of
+/// 0.3 is off by up to 0.01 at t_c/50. Hertz's dashpot sets in from zero.
 inline double dashpot_share(const ContactLaw& law, const Coefficients& c, double overlap,
                             double rate, double dt) {
     if (law.model != ContactLaw::Model::linear) return 1.0;

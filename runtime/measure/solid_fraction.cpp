@@ -12,8 +12,8 @@ namespace {
 
 constexpr int point_count = 40'000;
 
-/// Points that fill a layer of a vessel evenly, in rising height: a Hammersley set with the two-dimensional
-/// sequence of Roberts, whose steps are powers of 1/1.3247 (x^3 = x + 1).
+/// Points that fill a layer of a vessel evenly, in rising height: a Hammersley set with the
+/// two-dimensional sequence of Roberts, whose steps are powers of 1/1.3247 (x^3 = x + 1).
 struct VesselPoints {
     std::vector<Vec3> points;           ///< world [m]
     std::vector<double> from_the_wall;  ///< distance from the nearest side wall [m]
@@ -27,8 +27,8 @@ struct VesselPoints {
             const double u = std::fmod(0.5 + 0.7548776662466927 * n, 1.0);
             const double v = std::fmod(0.5 + 0.5698402909980532 * n, 1.0);
             const double w = (n + 0.5) / point_count;
-            const Vec2 place = vessel.shape == Vessel::Shape::box ? in_box(vessel, u, v)
-                                                                  : in_circle(vessel, u, v);
+            const Vec2 place =
+                vessel.shape == Vessel::Shape::box ? in_box(vessel, u, v) : in_circle(vessel, u, v);
             points.push_back(bottom + place.x() * vessel.side + place.y() * other +
                              w * (layer.top - layer.bottom) * vessel.up);
         }
@@ -43,8 +43,8 @@ struct VesselPoints {
     Vec2 in_box(const Vessel& vessel, double u, double v) {
         const double depth = vessel.cross_section / vessel.width;
         const Vec2 place((u - 0.5) * vessel.width, (v - 0.5) * depth);
-        from_the_wall.push_back(std::min(0.5 * vessel.width - std::abs(place.x()),
-                                         0.5 * depth - std::abs(place.y())));
+        from_the_wall.push_back(
+            std::min(0.5 * vessel.width - std::abs(place.x()), 0.5 * depth - std::abs(place.y())));
         return place;
     }
 };

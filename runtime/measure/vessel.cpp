@@ -32,8 +32,10 @@ std::optional<Vessel> upright_cylinder(const Scene& scene, const Vec3& up) {
         const auto* cylinder = std::get_if<CylinderWall>(&wall.shape);
         if (cylinder == nullptr || !cylinder->inside) continue;
         if (std::abs(axis_of(wall).dot(up)) < upright) continue;
-        Vessel vessel{Vessel::Shape::cylinder,      up, wall.position, 0.0, cylinder->radius,
-                      pi * square(cylinder->radius), up.unitOrthogonal(), 0.0};
+        Vessel vessel{Vessel::Shape::cylinder, up,
+                      wall.position,           0.0,
+                      cylinder->radius,        pi * square(cylinder->radius),
+                      up.unitOrthogonal(),     0.0};
         const double end = wall.position.dot(up);
         const double other = end + cylinder->length * axis_of(wall).dot(up);
         vessel.floor = floor_height(scene, up).value_or(std::min(end, other));

@@ -109,7 +109,8 @@ CellCover::CellCover(const VoxelImage& solid) : grid_(solid.grid()) {
                                 static_cast<std::size_t>(blocks_[2]),
                             0);
     for (std::size_t brick = 0; brick < solid_.size(); ++brick)
-        block_uncovered_[block_of(brick)] += static_cast<std::uint16_t>(std::popcount(solid_[brick]));
+        block_uncovered_[block_of(brick)] +=
+            static_cast<std::uint16_t>(std::popcount(solid_[brick]));
 }
 
 std::size_t CellCover::block_of(std::size_t brick) const {
@@ -203,8 +204,7 @@ std::size_t CellCover::gain_bound(const Ball& ball) const {
         for (int j = rows.first; j < rows.last; ++j) {
             const double half2 = disc2 - nearest(j, c.y());
             if (half2 < 0.0) continue;
-            const BrickRange any =
-                bricks_with_any<block_edge>(c.x(), std::sqrt(half2), blocks_[0]);
+            const BrickRange any = bricks_with_any<block_edge>(c.x(), std::sqrt(half2), blocks_[0]);
             const std::uint16_t* row =
                 block_uncovered_.data() +
                 static_cast<std::size_t>(k * blocks_[1] + j) * static_cast<std::size_t>(blocks_[0]);

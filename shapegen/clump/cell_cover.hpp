@@ -64,7 +64,7 @@ class CellCover {
     BrickBits filled_, open_;      ///< bricks with cells, and with uncovered ones
     std::vector<VoxelWord> solid_;
     std::vector<VoxelWord> uncovered_;
-    std::array<int, 3> blocks_{};  ///< of 2 x 2 x 2 bricks, along each axis
+    std::array<int, 3> blocks_{};                 ///< of 2 x 2 x 2 bricks, along each axis
     std::vector<std::uint16_t> block_uncovered_;  ///< cells in each
     /// Of balls, from the first one inserted on: those that hold a whole brick, and, cell by cell,
     /// the others.

@@ -25,7 +25,7 @@ class SampleBlocks {
         Ball hull;  ///< around its samples
         std::uint32_t first, last;
     };
-    std::vector<Vec3> points_;            ///< block after block
+    std::vector<Vec3> points_;          ///< block after block
     std::vector<std::size_t> numbers_;  ///< of the samples, in that order
     std::vector<Block> blocks_;
 };

@@ -68,8 +68,9 @@ DisplayMesh decimated(const SurfaceQuery& surface, std::size_t triangles) {
     Surface coarse = cgal_mesh(mesh);
     const std::size_t edges = 3 * triangles / 2;  // every triangle has half of three
     const sms::GarlandHeckbert_plane_policies<Surface, Kernel> quadrics(coarse);
-    sms::edge_collapse(coarse, sms::Count_stop_predicate<Surface>(edges),
-                       CGAL::parameters::get_cost(quadrics.get_cost()).get_placement(quadrics.get_placement()));
+    sms::edge_collapse(
+        coarse, sms::Count_stop_predicate<Surface>(edges),
+        CGAL::parameters::get_cost(quadrics.get_cost()).get_placement(quadrics.get_placement()));
     TriangleMesh result = triangle_mesh(coarse);
     const double largest = deviation(surface, result);
     return {std::move(result.vertices), std::move(result.triangles), largest};

@@ -39,10 +39,11 @@ void expect_surface_point(const ParticleTemplate& shape, const Vec3& x, const Su
 TEST(SurfaceDistance, OfRevolutionIsThatOfTheProfile) {
     for (const char* name : {"candy", "tablet", "peanut", "red_blood_cell", "disc"}) {
         SCOPED_TRACE(name);
-        const Profile profile = read_profile((data / "profiles" / name).string() + ".profile").profile;
+        const Profile profile =
+            read_profile((data / "profiles" / name).string() + ".profile").profile;
         const ParticleTemplate shape = cook(profile, name, {});
-        const Profile exact = profile.translated(
-            -revolution_mass(profile).mass_properties.center_of_mass.z());
+        const Profile exact =
+            profile.translated(-revolution_mass(profile).mass_properties.center_of_mass.z());
         const double l = exact.major_axis_length();
         const std::map<std::string, double> certificate(shape.certificate.begin(),
                                                         shape.certificate.end());

@@ -212,8 +212,8 @@ TEST(SolidFraction, IsThatOfTheWallsNeighborhoodAndOfTheCore) {
         Scene* scene;
         double area, core;
     };
-    for (const auto& [scene, area, core] : {Case{&cylinder, 9.0 * pi, 2.0 / 3.0},
-                                            Case{&box, 30.0, -1.0}}) {
+    for (const auto& [scene, area, core] :
+         {Case{&cylinder, 9.0 * pi, 2.0 / 3.0}, Case{&box, 30.0, -1.0}}) {
         Simulation simulation(*scene, 1e-6);
         simulation.step();
         const auto vessel = find_vessel(simulation.scene());
@@ -229,9 +229,8 @@ TEST(SolidFraction, IsThatOfTheWallsNeighborhoodAndOfTheCore) {
             EXPECT_EQ(f.near_wall, 0.0);
         }
         // The thinnest slice is widest in the middle: pi r^2 of the cross-section.
-        const SolidFraction slice =
-            solid_fraction(simulation.particles(), simulation.scene(), *vessel,
-                           {0.999 * radius, 1.001 * radius});
+        const SolidFraction slice = solid_fraction(simulation.particles(), simulation.scene(),
+                                                   *vessel, {0.999 * radius, 1.001 * radius});
         EXPECT_NEAR(slice.overall, pi / area, 1e-3);
     }
 }
