@@ -5,6 +5,8 @@
 
 #include <atomic>
 #include <cerrno>
+#include <mutex>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -27,7 +29,39 @@ std::filesystem::path temporary_name(const std::filesystem::path& path) {
     return path.string() + ".part-" + std::to_string(getpid()) + "-" + std::to_string(next++);
 }
 
+/// The temporary names of files that are neither committed nor removed.
+class Pending {
+  public:
+    static Pending& files() {
+        static Pending one;
+        return one;
+    }
+    void add(const std::filesystem::path& path) {
+        const std::scoped_lock lock(mutex_);
+        paths_.insert(path);
+    }
+    /// Calls end(), which renames or removes the file.
+    template <class End>
+    auto finish(const std::filesystem::path& path, const End& end) {
+        const std::scoped_lock lock(mutex_);
+        paths_.erase(path);
+        return end();
+    }
+    void remove_all() {
+        const std::scoped_lock lock(mutex_);
+        for (const std::filesystem::path& path : paths_) unlink(path.c_str());
+    }
+
+  private:
+    std::mutex mutex_;
+    std::set<std::filesystem::path> paths_;
+};
+
 }  // namespace
+
+void remove_pending_files() {
+    Pending::files().remove_all();
+}
 
 PendingFile::PendingFile(std::filesystem::path final_path)
     : final_(std::move(final_path)), temporary_(temporary_name(final_)) {
@@ -40,10 +74,12 @@ PendingFile::PendingFile(std::filesystem::path final_path)
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
         throw Error(final_.string(), "is a device or pipe, expected the name of a file to write");
     }
+    Pending::files().add(temporary_);
 }
 
 PendingFile::~PendingFile() {
-    if (!is_committed_) unlink(temporary_.c_str());
+    if (!is_committed_)
+        Pending::files().finish(temporary_, [&] { return unlink(temporary_.c_str()); });
 }
 
 void PendingFile::commit() {
@@ -56,7 +92,9 @@ void PendingFile::commit() {
     const int closed = close(descriptor);
     if (synced != 0) fail(final_, "write", sync_error);
     if (closed != 0) fail(final_, "write", errno);
-    if (rename(temporary_.c_str(), final_.c_str()) != 0) fail(final_, "write", errno);
+    const int renamed = Pending::files().finish(
+        temporary_, [&] { return rename(temporary_.c_str(), final_.c_str()); });
+    if (renamed != 0) fail(final_, "write", errno);
     is_committed_ = true;
 }
 

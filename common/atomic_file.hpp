@@ -33,6 +33,10 @@ class PendingFile {
     bool is_committed_ = false;
 };
 
+/// Removes all that this process has begun to write and not committed. For the way out of a program
+/// that is told to end: nothing may be written afterwards.
+void remove_pending_files();
+
 /// A buffered output file, every write of which is checked. Throws Error naming the file and the
 /// system's reason (no such folder, permission denied, no space left on device, ...).
 class AtomicFile {

@@ -111,6 +111,9 @@ std::string dem_engine(const Body& body) {
 /// The folder that MClump makes of a clump.
 void write_mercurydpm(const std::filesystem::path& folder, const Body& body) {
     std::error_code problem;
+    if (std::filesystem::exists(folder) &&
+        !(std::filesystem::is_directory(folder) && std::filesystem::is_empty(folder)))
+        throw Error(folder.string(), "exists, expected the name of a new folder");
     for (const char* name : {"clump", "inertia"}) {
         std::filesystem::create_directories(folder / name, problem);
         if (problem) throw Error((folder / name).string(), "cannot make it: " + problem.message());

@@ -39,7 +39,11 @@ ConvexSolid sphere(const Parameters& p, double) {
     return make_convex_sphere(p.radius());
 }
 ConvexSolid ellipsoid(const Parameters& p, double) {
-    return make_ellipsoid({p.length("a"), p.length("b"), p.length("c")});
+    const Vec3 axes{p.length("a"), p.length("b"), p.length("c")};
+    constexpr double most_slender = 2000.0;  // pictures of thinner ones would fill the memory
+    if (axes.maxCoeff() > most_slender * axes.minCoeff())
+        p.fail("shape", "semi-axes that differ by a factor of 2000 at most");
+    return make_ellipsoid(axes);
 }
 ConvexSolid spheroid(const Parameters& p, double) {
     return make_ellipsoid({p.length("a"), p.length("a"), p.length("c")});
@@ -114,6 +118,22 @@ std::optional<Rounding> wanted_rounding(const ProfileText& text, const NamedConv
     }
 }
 
+/// Corners of a body without rounding, and a point of each round edge, in the frame of its input.
+std::vector<Vec3> sharp_points(const ConvexSolid& solid) {
+    const ConvexShape& shape = solid.shape;
+    std::vector<Vec3> points;
+    if (shape.is_polyhedron()) {
+        points.assign(shape.vertices.begin(), shape.vertices.end());
+    } else if (shape.core != ConvexShape::Core::ellipsoid) {
+        const double high = shape.low + shape.size.z;
+        points = {{shape.size.x, 0.0, shape.low},
+                  {shape.core == ConvexShape::Core::cone ? 0.0 : shape.size.x, 0.0, high}};
+    }
+    const MassProperties& body = solid.mass_properties;
+    for (Vec3& p : points) p = body.center_of_mass + body.principal_axes * p;
+    return points;
+}
+
 ConvexSolid rounded(const ProfileText& text, const NamedConvex& shape,
                     const std::optional<Rounding>& wanted) {
     const Parameters parameters(text);
@@ -125,8 +145,10 @@ ConvexSolid rounded(const ProfileText& text, const NamedConvex& shape,
         if (const auto line = text.settings.find("rounding"); line != text.settings.end())
             place = text.place(line->second.line);
         const double volume = sharp.mass_properties.volume;
-        return shape.make(parameters,
-                          wanted ? wanted->radius(volume) : default_rounding(sharp.shape, volume));
+        ConvexSolid solid = shape.make(
+            parameters, wanted ? wanted->radius(volume) : default_rounding(sharp.shape, volume));
+        solid.corner_retreat = farthest_outside(solid, sharp_points(sharp));
+        return solid;
     } catch (const Error& problem) {
         const std::string words = problem.what();
         if (words.starts_with(text.path + ":")) throw;

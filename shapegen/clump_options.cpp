@@ -68,10 +68,14 @@ ClumpGoal read_goal(const po::variables_map& values) {
     if (has(values, "clump-spheres"))
         goal.count = static_cast<std::size_t>(whole_number(
             values, "clump-spheres", 1, static_cast<std::int64_t>(Clump::most_spheres)));
-    if (has(values, "clump-error"))
-        goal.rms_deviation = fraction_option(
-            values, "clump-error", 0.0, 1.0,
-            "an RMS deviation above 0 and below 100 % of the equivalent diameter (0.5%)");
+    if (has(values, "clump-error")) {
+        const std::string expected =
+            "an RMS deviation above 0% and below 100% of the equivalent diameter (0.5%)";
+        const auto words = values["clump-error"].as<std::string>();
+        if (!words.ends_with('%'))
+            throw UsageError("--clump-error", "found '" + words + "', expected " + expected);
+        goal.rms_deviation = fraction_option(values, "clump-error", 0.0, 1.0, expected);
+    }
     return goal;
 }
 

@@ -231,6 +231,9 @@ Command parse_cook(const Words& words) {
     command.output = values.count("output") != 0
                          ? std::filesystem::path(values["output"].as<std::string>())
                          : command.input.filename().replace_extension(".tpl");
+    if (command.output.extension() != ".tpl")
+        throw UsageError(
+            "-o", "found '" + command.output.string() + "', expected a name that ends in .tpl");
     command.is_quiet = values.count("quiet") != 0;
     command.text = "shapegen";
     for (const std::string& word : words) command.text += ' ' + word;
@@ -266,6 +269,8 @@ Command parse_export(const Words& words) {
     command.output = values["output"].as<std::string>();
     if (values.count("shape") != 0) command.shape = values["shape"].as<std::string>();
     if (values.count("format") != 0) command.format = values["format"].as<std::string>();
+    if (!values["density"].defaulted() && command.format.empty())
+        throw UsageError("--density", "found it without --format, expected it with one");
     const auto density = values["density"].as<std::string>();
     try {
         command.density = parse_quantity(density, Dimension::density);

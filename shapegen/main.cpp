@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/atomic_file.hpp"
 #include "common/error.hpp"
 #include "shapegen/command_line.hpp"
 #include "shapegen/run_command.hpp"
 
+#include <csignal>
 #include <exception>
 #include <iostream>
+#include <string_view>
+#include <thread>
+
+#include <unistd.h>
 
 namespace {
 
@@ -13,9 +19,27 @@ int fail(const std::exception& error, int code) {
     return code;
 }
 
+/// Who interrupts the program leaves nothing half written. A thread waits for that, so that what it
+/// does is not bound to what a signal handler may do.
+void clean_up_when_interrupted() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals, signal);
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // in all threads that are made from now on
+    std::thread([signals] {
+        int signal = 0;
+        sigwait(&signals, &signal);
+        dem::remove_pending_files();
+        constexpr std::string_view words = "shapegen: interrupted, nothing written\n";
+        const auto written = write(STDERR_FILENO, words.data(), words.size());
+        _exit(written < 0 ? 1 : 128 + signal);
+    }).detach();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    clean_up_when_interrupted();
     try {
         const std::span<const char* const> arguments(argv, static_cast<std::size_t>(argc));
         dem::run_command(dem::parse_command_line(arguments), std::cout);

@@ -33,6 +33,11 @@ void keep_input(const std::filesystem::path& input, const std::filesystem::path&
     }
 }
 
+/// Before minutes of work: whether the output can be made at all. Throws Error.
+void check_writable(const std::filesystem::path& output) {
+    const AtomicFile probe(output);
+}
+
 /// Progress on stderr for work that takes more than a moment.
 class LateProgress {
   public:
@@ -96,10 +101,17 @@ Cooked cook_solid(const CookCommand& command) {
     ClumpRequest request = command.clump->request;
     request.options.progress = part(progress, loading, 1.0);
     request.wants_convergence = !command.clump->convergence.empty();
-    CookedClump clump = cook_clump(solid, request);
+    CookedClump clump;
+    try {
+        clump = cook_clump(solid, request);
+    } catch (const Error& error) {
+        throw Error(command.input.string(), error.what());
+    }
     if (request.wants_convergence)
         write_convergence(command.clump->convergence, solid.name, clump.convergence);
-    return {std::move(clump.shape), solid.hash, solid.lines};
+    std::vector<std::string> lines = solid.lines;
+    lines.insert(lines.end(), clump.lines.begin(), clump.lines.end());
+    return {std::move(clump.shape), solid.hash, std::move(lines)};
 }
 
 Cooked cook_body(const CookCommand& command) {
@@ -113,6 +125,9 @@ void run(const CookCommand& command, std::ostream& out) {
     const auto start = std::chrono::steady_clock::now();
     keep_input(command.input, command.output);
     if (command.clump) keep_input(command.input, command.clump->convergence);
+    check_writable(command.output);
+    if (command.clump && !command.clump->convergence.empty())
+        check_writable(command.clump->convergence);
     Cooked cooked = cook_body(command);
     TemplateFile result;
     result.command = command.text;
@@ -140,14 +155,16 @@ void run(const GenerateCommand& command, std::ostream& out) {
     if (command.is_quiet) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     std::array<char, 300> words{};
-    std::snprintf(
-        words.data(), words.size(),
-        "%s: %llu shapes of %.1f vertices on average, volumes %.4g to %.4g m^3, mean "
-        "%.4g\n  rounded bodies within %.2g d_eq of their polyhedra, of equal volume\n"
-        "  %.0f KB in %.2f s\n",
-        command.output.string().c_str(), static_cast<unsigned long long>(command.count),
-        made.mean_vertices, made.smallest, made.largest, made.mean, made.surface_deviation,
-        1e-3 * static_cast<double>(std::filesystem::file_size(command.output)), seconds.count());
+    std::snprintf(words.data(), words.size(),
+                  "%s: %llu shapes of %.1f vertices on average, volumes %.4g to %.4g m^3, mean "
+                  "%.4g\n  %llu slivers that the rounding does not fit drawn again\n"
+                  "  rounded bodies within %.2g d_eq of their polyhedra, of equal volume\n"
+                  "  %.0f KB in %.2f s\n",
+                  command.output.string().c_str(), static_cast<unsigned long long>(command.count),
+                  made.mean_vertices, made.smallest, made.largest, made.mean,
+                  static_cast<unsigned long long>(made.redrawn), made.surface_deviation,
+                  1e-3 * static_cast<double>(std::filesystem::file_size(command.output)),
+                  seconds.count());
     out << words.data();
 }
 

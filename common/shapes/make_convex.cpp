@@ -207,4 +207,14 @@ ConvexSolid make_convex_sphere(double radius) {
     return swept_sphere(0.0, radius);
 }
 
+double farthest_outside(const ConvexSolid& solid, std::span<const Vec3> points) {
+    const MassProperties& body = solid.mass_properties;
+    double farthest = 0.0;
+    for (const Vec3& p : points) {
+        const Vec3 x = body.principal_axes.conjugate() * (p - body.center_of_mass);
+        farthest = std::max(farthest, surface_distance(solid.shape, x).distance);
+    }
+    return farthest;
+}
+
 }  // namespace dem

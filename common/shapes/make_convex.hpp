@@ -21,7 +21,12 @@ struct ConvexSolid {
     double surface_area = 0.0;                   ///< [m^2]
     /// Share of the volume of the sharp body that the rounding took.
     double rounding_loss = 0.0;
+    /// How far the farthest corner of the sharp body lies outside of the rounded one [m].
+    double corner_retreat = 0.0;
 };
+
+/// How far the farthest of the points, in the frame of the solid's input, lies outside of it [m].
+double farthest_outside(const ConvexSolid& solid, std::span<const Vec3> points);
 
 /// The hull of points, its center of mass and principal axes found. Points inside are left out.
 ConvexSolid make_convex_polyhedron(std::span<const Vec3> points, double rounding);

@@ -137,11 +137,11 @@ constexpr Key contact_keys[] = {
     {.name = "contact",
      .type = choice,
      .standard = "auto",
-     .words = "auto continuous nodes centroid",
+     .words = "auto continuous nodes centroid features",
      .doc = "contact geometry. SR shapes: `auto` is `continuous` for convex pairs and `nodes` for "
-            "the rest. Convex shapes: by features, with `centroid` one point at the centroid of "
-            "the patch [GC], which does not keep the energy. Pairs with a clump have one way and "
-            "ignore it"},
+            "the rest. Convex shapes: `features`, which is also what `auto` means for them; with "
+            "`centroid` one point at the centroid of the patch [GC], which does not keep the "
+            "energy. Pairs with a clump have one way and ignore it"},
     {.name = "node_normal",
      .type = choice,
      .standard = "gradient",

@@ -28,7 +28,10 @@ CaseSection merged(const CaseSection& base, const CaseSection* pair) {
 ContactLaw options(const Values& values) {
     ContactLaw law;
     law.model = values.choice<ContactLaw::Model>("model");
-    law.method = values.choice<ContactLaw::Method>("contact");
+    // What `automatic` means for convex shapes has a name of its own.
+    law.method = values.word("contact") == "features"
+                     ? ContactLaw::Method::automatic
+                     : values.choice<ContactLaw::Method>("contact");
     law.tangential = values.choice<ContactLaw::Tangential>("tangential");
     law.damping_mass = values.choice<ContactLaw::DampingMass>("damping_mass");
     law.multi_contact = values.choice<ContactLaw::MultiContact>("multi_contact");

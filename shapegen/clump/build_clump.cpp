@@ -141,7 +141,7 @@ void ClumpMaker::Impl::refuse(double coverage) {
     std::vector<std::uint32_t> all;
     cover_greedily(pool_.balls(), CoverGoal{}, cover, all);
     fail(
-        "found a coverage of %.6g asked for, expected at most %.4f: the best clump has %zu "
+        "found a coverage of %.12g asked for, expected at most %.4f: the best clump has %zu "
         "spheres; more voxels (--resolution) or smaller spheres may reach it",
         coverage, pool_.ceiling(), all.size());
 }

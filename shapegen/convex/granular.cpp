@@ -178,8 +178,10 @@ Grain make_grain(const GranularOptions& options, std::uint64_t index) {
             if (!(hull.depth > std::max(2.0 * radius, 1e-3 * options.size))) continue;
             Grain grain = rounded_grain(hull, radius);
             if (grain.display_mesh.max_deviation <=
-                most_deviation * equivalent_diameter(hull.volume))
+                most_deviation * equivalent_diameter(hull.volume)) {
+                grain.redrawn = draw;
                 return grain;
+            }
         } catch (const Error&) {
             continue;  // points in a plane, or nearly
         }

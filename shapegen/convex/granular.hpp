@@ -29,6 +29,7 @@ struct GranularOptions {
 struct Grain {
     ConvexSolid solid;
     DisplayMesh display_mesh;  ///< the polyhedron before it was rounded, body frame
+    int redrawn = 0;           ///< slivers before this one
 };
 
 /// Grain `index` of a library: the same for any number of others. Sand: the hull of 5 to 20 random

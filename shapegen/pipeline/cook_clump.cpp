@@ -6,6 +6,8 @@
 #include "shapegen/clump/mass_balance.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <utility>
 
 namespace dem {
@@ -20,6 +22,40 @@ BuiltClump build(ClumpMaker& maker, const ClumpGoal& goal) {
     else
         cover.coverage = goal.coverage;
     return maker.clump(cover);
+}
+
+template <class... Values>
+std::string line(const char* pattern, Values... values) {
+    std::array<char, 300> text{};
+    std::snprintf(text.data(), text.size(), pattern, values...);
+    return text.data();
+}
+
+/// What a user might miss in the certificate.
+std::vector<std::string> remarks(const ClumpGoal& goal, const BuiltClump& clump,
+                                 const MassBalance& masses) {
+    std::vector<std::string> lines;
+    if (clump.balls.size() < goal.count)
+        lines.push_back(
+            line("room for %zu of %zu spheres: more voxels (--resolution) or smaller "
+                 "spheres (--min-radius) may give more",
+                 clump.balls.size(), goal.count));
+    constexpr double poor = 0.7;
+    if (clump.quality.coverage < poor)
+        lines.push_back(
+            line("the spheres cover no more than %.3g %% of the body: it takes more of "
+                 "them, or more voxels (--resolution)",
+                 100.0 * clump.quality.coverage));
+    double sum = 0.0;
+    for (const double share : masses.shares) sum += share;
+    const auto empty = std::count_if(masses.shares.begin(), masses.shares.end(),
+                                     [sum](double share) { return share <= 1e-9 * sum; });
+    if (empty > 0)
+        lines.push_back(
+            line("%td of %zu spheres have no mass in exports: the spheres cannot have the "
+                 "body's moments otherwise",
+                 empty, masses.shares.size()));
+    return lines;
 }
 
 double bounding_radius(const Solid& solid, std::span<const Ball> balls) {
@@ -40,6 +76,7 @@ CookedClump cook_clump(const Solid& solid, const ClumpRequest& request) {
     const MassBalance masses = balance_masses(clump.balls, solid.mass_properties);
 
     CookedClump result;
+    result.lines = remarks(request.goal, clump, masses);
     if (request.wants_convergence) result.convergence = convergence(maker, clump.balls.size());
     ParticleTemplate& shape = result.shape;
     shape.name = solid.name;

@@ -24,6 +24,7 @@ struct ClumpRequest {
 struct CookedClump {
     ParticleTemplate shape;
     std::vector<ConvergenceRow> convergence;  ///< when it was asked for
+    std::vector<std::string> lines;           ///< what the user should know about it
 };
 
 /// The template of a clump that stands for a solid: the solid's mass properties, exactly; spheres

@@ -39,18 +39,20 @@ std::string line(const char* pattern, Values... values) {
 void finish(CookedConvex& cooked, ConvexSolid solid, std::string name, Certificate hull) {
     const double d_eq = solid.shape.equivalent_diameter;
     const double loss = solid.rounding_loss;
+    const double retreat = solid.corner_retreat;
     DisplayMesh display = convex_display_mesh(solid.shape, display_tolerance * d_eq);
     cooked.shape = convex_template(std::move(solid), std::move(name));
     const double rounding = std::get<ConvexShape>(cooked.shape.shape).rounding;
-    cooked.shape.certificate = {{"rounding", rounding / d_eq}, {"rounding_loss", loss}};
+    cooked.shape.certificate = {
+        {"rounding", rounding / d_eq}, {"rounding_loss", loss}, {"corner_retreat", retreat / d_eq}};
     for (auto& entry : hull) cooked.shape.certificate.push_back(std::move(entry));
     cooked.shape.certificate.emplace_back("display_mesh_error_max", display.max_deviation / d_eq);
     cooked.shape.display_mesh = std::move(display);
-    if (loss > 0.0)
+    if (rounding > 0.0 && retreat > 0.0)
         cooked.lines.push_back(
-            line("rounded with a radius of %.4g mm, which takes %.2g %% of the "
-                 "volume",
-                 1e3 * rounding, 1e2 * loss));
+            line("rounded with a radius of %.4g mm, which takes %.2g %% of the volume and moves "
+                 "corners in by %.3g mm at most",
+                 1e3 * rounding, 1e2 * loss, 1e3 * retreat));
 }
 
 CookedConvex cook_file(const std::filesystem::path& path, const ConvexRequest& request) {
@@ -88,6 +90,7 @@ CookedConvex cook_mesh(const std::filesystem::path& path, const ConvexRequest& r
 
     ConvexSolid solid = with_mass_properties(rounded_around(fewer.solid, rounding));
     solid.rounding_loss = 1.0 - rounded_volume / volume;
+    solid.corner_retreat = farthest_outside(solid, hull.vertices);
     solid.mass_properties.center_of_mass += center;
     const double d_eq = solid.shape.equivalent_diameter;
     const double excess = volume / enclosed_volume(loaded.mesh) - 1.0;

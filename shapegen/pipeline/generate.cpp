@@ -26,8 +26,9 @@ std::string grain_name(const GranularOptions& grains, std::uint64_t index) {
     return text.data();
 }
 
-ParticleTemplate grain_template(const GranularOptions& options, std::uint64_t index) {
+ParticleTemplate grain_template(const GranularOptions& options, std::uint64_t index, int& redrawn) {
     Grain grain = make_grain(options, index);
+    redrawn = grain.redrawn;
     const double d_eq = grain.solid.shape.equivalent_diameter;
     const Certificate certificate = {
         {"rounding", grain.solid.shape.rounding / d_eq},
@@ -41,12 +42,14 @@ ParticleTemplate grain_template(const GranularOptions& options, std::uint64_t in
 
 /// Grains begin .. begin + shapes.size() - 1. The error of the first that failed, in their order.
 void make_block(const LibraryRequest& request, const std::filesystem::path& path,
-                std::uint64_t begin, std::vector<ParticleTemplate>& shapes) {
+                std::uint64_t begin, std::vector<ParticleTemplate>& shapes,
+                LibrarySummary& summary) {
     std::vector<std::exception_ptr> errors(shapes.size());
+    std::vector<int> redrawn(shapes.size(), 0);
 #pragma omp parallel for schedule(dynamic, 16)
     for (std::size_t k = 0; k < shapes.size(); ++k) {
         try {
-            shapes[k] = grain_template(request.grains, begin + k);
+            shapes[k] = grain_template(request.grains, begin + k, redrawn[k]);
             check_template(shapes[k], shape_place(path.string(), begin + k, shapes[k].name));
         } catch (...) {
             errors[k] = std::current_exception();
@@ -54,6 +57,7 @@ void make_block(const LibraryRequest& request, const std::filesystem::path& path
     }
     for (const std::exception_ptr& error : errors)
         if (error) std::rethrow_exception(error);
+    for (const int count : redrawn) summary.redrawn += static_cast<std::uint64_t>(count);
 }
 
 /// After the first block, which tells how large a grain is.
@@ -82,7 +86,7 @@ LibrarySummary generate_library(const LibraryRequest& request, const std::filesy
             request.progress(static_cast<double>(begin) / static_cast<double>(request.count),
                              std::to_string(begin) + " shapes");
         shapes.resize(std::min(block_size, request.count - begin));
-        make_block(request, path, begin, shapes);
+        make_block(request, path, begin, shapes, summary);
         for (const ParticleTemplate& shape : shapes) {
             builder.add(shape);
             const double volume = shape.mass_properties.volume;

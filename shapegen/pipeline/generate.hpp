@@ -22,6 +22,7 @@ struct LibrarySummary {
     double smallest = 0.0, largest = 0.0, mean = 0.0;  ///< volume [m^3]
     double mean_vertices = 0.0;
     double surface_deviation = 0.0;  ///< largest, of the rounded from the drawn body [d_eq]
+    std::uint64_t redrawn = 0;       ///< slivers that were drawn again
 };
 
 /// Makes the grains in all threads, some thousands at a time, and writes them: the same bytes for

@@ -181,7 +181,9 @@ TEST_F(ShapegenCli, NamesAFileThatIsMissingOrOfTheWrongKind) {
 TEST_F(ShapegenCli, NeverOverwritesItsInput) {
     write("ball.profile", "units = mm\nshape = sphere\nradius = 2\n");
     const std::string before = content(folder_ / "ball.profile");
-    expect_failure(run("ball.profile -o ./ball.profile"), 2, "the input itself");
+    std::filesystem::create_symlink("ball.profile", folder_ / "ball.tpl");
+    expect_failure(run("ball.profile -o ball.tpl"), 2, "the input itself");
+    expect_failure(run("ball.profile -o ./ball.profile"), 2, "expected a name that ends in .tpl");
     EXPECT_EQ(content(folder_ / "ball.profile"), before);
 }
 

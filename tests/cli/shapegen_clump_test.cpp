@@ -240,7 +240,8 @@ TEST_F(ShapegenClump, RefusesAWrongCommandLine) {
         expect_failure("box.off --clump " + std::string(value), 2, "above 0 and below 1");
     expect_failure("box.off --clump-spheres 0", 2, "found 0, expected 1 to 65535");
     expect_failure("box.off --clump-spheres 65536", 2, "expected 1 to 65535");
-    expect_failure("box.off --clump-error 0", 2, "RMS deviation above 0");
+    expect_failure("box.off --clump-error 0%", 2, "RMS deviation above 0");
+    expect_failure("box.off --clump-error 0.5", 2, "'0.5', expected an RMS deviation above 0%");
     expect_failure("box.off --clump 0.9 --clump-spheres 5", 2, "expected one of them");
     expect_failure("box.off", 2, "found a mesh without a mode");
     expect_failure("box.off --inscribed", 2, "without --clump");
