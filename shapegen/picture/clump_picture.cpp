@@ -89,8 +89,9 @@ void draw_color_bar(SvgPage& page, const Vec2& corner, double full_color, const 
                        {.fill = color(value, 1.0)});
     }
     const std::string end = short_number(full_color / unit.meters, 2) + " " + unit.name;
-    page.text(corner + Vec2(0.0, 32.0), "falls short by " + end, 13);
-    page.text(corner + Vec2(width * steps, 32.0), "stands out by " + end, 13, Anchor::end);
+    page.text(corner + Vec2(0.0, 32.0), "short by " + end, 13);
+    page.text(corner + Vec2(0.5 * width * steps, 32.0), "0", 13, Anchor::middle);
+    page.text(corner + Vec2(width * steps, 32.0), "out by " + end, 13, Anchor::end);
 }
 
 /// The deviation that gets the full color: that of all but the worst 2 % of the body's vertices.
@@ -112,7 +113,8 @@ std::string measured(const ParticleTemplate& shape) {
            short_number(100.0 * entry("outside"), 3) + " %; deviation RMS " +
            short_number(100.0 * entry("rms_deviation"), 3) + " %, at most " +
            short_number(100.0 * entry("max_deviation_in"), 3) + " % in and " +
-           short_number(100.0 * entry("max_deviation_out"), 3) + " % out, of d_eq = ";
+           short_number(100.0 * entry("max_deviation_out"), 3) + " % out; drawn within " +
+           short_number(100.0 * entry("display_mesh_error_max"), 2) + " %, of d_eq = ";
 }
 
 }  // namespace
