@@ -1,6 +1,5 @@
-# Fig. 2 (f): a cylinder, as a path from the bottom of the axis to its top.
+# Fig. 2 (f): a cylinder.
 units = mm
-start 0 -5
-line 3 -5
-line 3 5
-line 0 5
+shape = cylinder
+radius = 3
+height = 10
