@@ -21,6 +21,13 @@ std::string size_line(const TriangleMesh& mesh, const MeshLoadOptions& options,
         << size.z() << ' ' << unit;
     if (options.unit.empty())
         out << (unit == "m" ? " (the format's unit)" : " (assumed; --unit says otherwise)");
+    // Single-precision coordinates have seven digits.
+    constexpr double far = 1e3;
+    const double times = (0.5 * (box.lower + box.upper)).norm() / (box.upper - box.lower).norm();
+    if (times > far)
+        out << "; " << times
+            << " times its size away from the origin, where files of single precision have lost "
+               "the digits of the shape";
     return out.str();
 }
 
