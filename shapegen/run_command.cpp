@@ -13,6 +13,7 @@
 #include "shapegen/picture/convergence_plot.hpp"
 #include "shapegen/pipeline/export.hpp"
 #include "shapegen/pipeline/generate.hpp"
+#include "shapegen/pipeline/line.hpp"
 
 #include <array>
 #include <chrono>
@@ -154,18 +155,15 @@ void run(const GenerateCommand& command, std::ostream& out) {
     const LibrarySummary made = generate_library(request, command.output);
     if (command.is_quiet) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    std::array<char, 300> words{};
-    std::snprintf(words.data(), words.size(),
-                  "%s: %llu shapes of %.1f vertices on average, volumes %.4g to %.4g m^3, mean "
-                  "%.4g\n  %llu slivers that the rounding does not fit drawn again\n"
-                  "  rounded bodies within %.2g d_eq of their polyhedra, of equal volume\n"
-                  "  %.0f KB in %.2f s\n",
-                  command.output.string().c_str(), static_cast<unsigned long long>(command.count),
-                  made.mean_vertices, made.smallest, made.largest, made.mean,
-                  static_cast<unsigned long long>(made.redrawn), made.surface_deviation,
-                  1e-3 * static_cast<double>(std::filesystem::file_size(command.output)),
-                  seconds.count());
-    out << words.data();
+    out << line(
+        "%s: %llu shapes of %.1f vertices on average, volumes %.4g to %.4g m^3, mean "
+        "%.4g\n  %llu slivers that the rounding does not fit drawn again\n"
+        "  rounded bodies within %.2g d_eq of their polyhedra, of equal volume\n"
+        "  %.0f KB in %.2f s\n",
+        command.output.string().c_str(), static_cast<unsigned long long>(command.count),
+        made.mean_vertices, made.smallest, made.largest, made.mean,
+        static_cast<unsigned long long>(made.redrawn), made.surface_deviation,
+        1e-3 * static_cast<double>(std::filesystem::file_size(command.output)), seconds.count());
 }
 
 void run(const InspectCommand& command, std::ostream& out) {

@@ -54,16 +54,17 @@ std::vector<double> measure_values(const Simulation& simulation) {
             case Kind::contacts:
                 values.push_back(mean_coordination(simulation));
                 break;
-            case Kind::fill_height:
-            case Kind::solid_fraction: {
+            case Kind::fill_height: {
                 const FillHeight h = fill_height(simulation.particles(), simulation.scene());
-                if (measure.kind == Kind::fill_height) {
-                    values.insert(values.end(), {h.highest, h.top_ten, h.surface});
-                    break;
-                }
-                const SolidFraction f = solid_fraction(
-                    simulation.particles(), simulation.scene(), *find_vessel(simulation.scene()),
-                    {measure.bottom, measure.top.value_or(h.highest)});
+                values.insert(values.end(), {h.highest, h.top_ten, h.surface});
+                break;
+            }
+            case Kind::solid_fraction: {
+                const Scene& scene = simulation.scene();
+                const double top =
+                    measure.top ? *measure.top : fill_height(simulation.particles(), scene).highest;
+                const SolidFraction f = solid_fraction(simulation.particles(), scene,
+                                                       *find_vessel(scene), {measure.bottom, top});
                 values.insert(values.end(), {f.overall, f.near_wall, f.core});
                 break;
             }

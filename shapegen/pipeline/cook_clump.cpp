@@ -4,10 +4,9 @@
 #include "common/error.hpp"
 #include "shapegen/certificate/clump_certificate.hpp"
 #include "shapegen/clump/mass_balance.hpp"
+#include "shapegen/pipeline/line.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <utility>
 
 namespace dem {
@@ -22,13 +21,6 @@ BuiltClump build(ClumpMaker& maker, const ClumpGoal& goal) {
     else
         cover.coverage = goal.coverage;
     return maker.clump(cover);
-}
-
-template <class... Values>
-std::string line(const char* pattern, Values... values) {
-    std::array<char, 300> text{};
-    std::snprintf(text.data(), text.size(), pattern, values...);
-    return text.data();
 }
 
 /// What a user might miss in the certificate.
@@ -52,9 +44,7 @@ std::vector<std::string> remarks(const ClumpGoal& goal, const BuiltClump& clump,
                                      [sum](double share) { return share <= 1e-9 * sum; });
     if (empty > 0)
         lines.push_back(
-            line("%td of %zu spheres have no mass in exports: the spheres cannot have the "
-                 "body's moments otherwise",
-                 empty, masses.shares.size()));
+            line("%td of %zu spheres have no mass in exports", empty, masses.shares.size()));
     return lines;
 }
 

@@ -8,6 +8,7 @@
 #include "shapegen/convex/convex_display.hpp"
 #include "shapegen/convex/fewer_vertices.hpp"
 #include "shapegen/import/mesh_file.hpp"
+#include "shapegen/pipeline/line.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -27,13 +28,6 @@ ConvexSolid sharp_solid(const ConvexPolyhedron& hull) {
 
 double volume_of(const ConvexPolyhedron& core, double rounding) {
     return convex_moments(rounded_around(core, rounding)).volume;
-}
-
-template <class... Values>
-std::string line(const char* pattern, Values... values) {
-    std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, pattern, values...)), ' ');
-    std::snprintf(text.data(), text.size() + 1, pattern, values...);
-    return text;
 }
 
 void finish(CookedConvex& cooked, ConvexSolid solid, std::string name, Certificate hull) {

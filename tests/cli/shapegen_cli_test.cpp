@@ -199,6 +199,15 @@ TEST_F(ShapegenCli, LeavesNothingBehindWhenTheOutputCannotBeWritten) {
     EXPECT_EQ(files(), std::set<std::string>{"old.tpl"});
 }
 
+TEST_F(ShapegenCli, LeavesNothingBehindWhenItIsInterrupted) {
+    const Result result =
+        run("'" DEM_SOURCE_DIR "/data/meshes/bunny.ply' --clump 0.99 --inscribed --resolution 300",
+            "timeout --preserve-status -s INT 0.5");
+    EXPECT_EQ(result.code, 130);
+    EXPECT_NE(result.err.find("interrupted, nothing written"), std::string::npos) << result.err;
+    EXPECT_TRUE(files().empty());
+}
+
 TEST_F(ShapegenCli, FailsWhenStandardOutputIsFull) {
     const Result result = run("--help", "", ">/dev/full");
     EXPECT_EQ(result.code, 1);

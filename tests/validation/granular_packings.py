@@ -8,15 +8,24 @@ import numpy as np
 from packing import arguments
 from validation import Page, Run, plt, shapegen
 
-CASE = """
-[run]
-end_time = 4 s
-stop = at_rest
-seed = {seed}
+# What grains and vessel are, in the run that makes a bed and in the one that looks at it.
+GRAINS = """
 [material.grain]
 density = 2500
 youngs_modulus = 50 MPa
 poissons_ratio = 0.3
+[wall.vessel]
+shape = cylinder
+point = 0 0 0
+radius = {radius} mm
+material = grain
+"""
+
+CASE = GRAINS + """
+[run]
+end_time = 4 s
+stop = at_rest
+seed = {seed}
 [contact]
 model = linear
 normal_stiffness = 1e4
@@ -31,11 +40,6 @@ insert = batches
 region = cylinder 0 0 {low} mm  0 0 {high} mm  {inner} mm
 batch = {batch}
 every = 60 ms
-[wall.vessel]
-shape = cylinder
-point = 0 0 0
-radius = {radius} mm
-material = grain
 [output]
 frames_every = 20 ms
 history_every = 5 ms
@@ -57,15 +61,11 @@ def pack(name, seed, reuse):
     return Run(f"granular_{name}_{seed}", CASE.format(template=template, seed=seed, **vessel), "--threads", "1", reuse=reuse)
 
 
-LOOK = """
+LOOK = GRAINS + """
 [run]
 end_time = 1 us
 time_step = 1 us
 gravity = 0 0 0
-[material.grain]
-density = 2500
-youngs_modulus = 50 MPa
-poissons_ratio = 0.3
 [contact]
 model = linear
 normal_stiffness = 1e-9
@@ -78,11 +78,6 @@ material = grain
 insert = file
 file = {final}
 overlaps = allow
-[wall.vessel]
-shape = cylinder
-point = 0 0 0
-radius = {radius} mm
-material = grain
 [output]
 picture = no
 [measure.whole]
