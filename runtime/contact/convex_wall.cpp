@@ -2,6 +2,7 @@
 #include "runtime/contact/convex_wall.hpp"
 
 #include "runtime/contact/convex_pair.hpp"
+#include "runtime/contact/farthest_of_ellipse.hpp"
 #include "runtime/contact/wall_frame.hpp"
 
 #include <algorithm>
@@ -71,74 +72,16 @@ class PlaneFeatures {
 
 // ---- The inside of a cylinder.
 
-/// A convex curve's support function in the plane across the axis of a tube: of an ellipsoid, or of
-/// a flat end. The places farthest from the axis are the maxima of F(e) = e . x(e), x support point
-/// of the unit direction e, and F' = e' . x(e).
-template <class Support>
-class TubeMaxima {
-  public:
-    TubeMaxima(const Support& support, const Vec3& e1, const Vec3& e2)
-        : support_(support), e1_(e1), e2_(e2), axis_(e1.cross(e2)) {}
-
-    struct Maximum {
-        double value;
-        Vec3 point, direction;
-    };
-    /// Calls visit(maximum) for each.
-    template <class Visit>
-    void visit(const Visit& visit) const {
-        Vec3 from = direction(0);
-        double low = slope(from);
-        for (std::size_t k = 1; k <= division; ++k) {
-            const Vec3 to = direction(k % division);
-            const double high = slope(to);
-            if (low >= 0.0 && high < 0.0) visit(between(from, to, low, high));
-            from = to;
-            low = high;
-        }
-    }
-
-  private:
-    static constexpr std::size_t division = PlacedCap::sample_count;
-
-    Vec3 direction(std::size_t k) const {
-        const Vec2 u = PlacedCap::sample_direction(k);
-        return u.x() * e1_ + u.y() * e2_;
-    }
-    double slope(const Vec3& e) const { return axis_.cross(e).dot(support_(e)); }
-    /// The root of the slope on the way t from one direction to the other: secants within the
-    /// bracket, halved when they gain little.
-    Maximum between(const Vec3& from, const Vec3& to, double low, double high) const {
-        double begin = 0.0;
-        double end = 1.0;
-        for (int k = 0; k < 60 && end - begin > 1e-13; ++k) {
-            double t = begin + (end - begin) * low / (low - high);
-            if (k % 3 == 2) t = 0.5 * (begin + end);
-            const double s = slope((from + t * (to - from)).normalized());
-            if (s == 0.0) {
-                begin = end = t;
-            } else if (s > 0.0) {
-                begin = t;
-                low = s;
-            } else {
-                end = t;
-                high = s;
-            }
-        }
-        const Vec3 e = (from + 0.5 * (begin + end) * (to - from)).normalized();
-        const Vec3 x = support_(e);
-        return {e.dot(x), x, e};
-    }
-
-    const Support& support_;
-    Vec3 e1_, e2_, axis_;
-};
-
 class TubeFeatures {
   public:
     TubeFeatures(const PlacedCore& core, const CylinderWall& wall, const Vec3& axis,
                  const PairState& pair)
-        : core_(core), wall_(wall), axis_(axis), origin_(pair.displacement) {}
+        : core_(core),
+          wall_(wall),
+          axis_(axis),
+          e1_(axis.unitOrthogonal()),
+          e2_(axis.cross(e1_)),
+          origin_(pair.displacement) {}
 
     /// Calls visit(feature, weight) for every feature; gap() is known afterwards.
     template <class Visit>
@@ -148,8 +91,6 @@ class TubeFeatures {
                 visit_point(core_.vertex(v), visit);
             return;
         }
-        const Vec3 e1 = axis_.unitOrthogonal();
-        const Vec3 e2 = axis_.cross(e1);
         const PlacedCaps caps = caps_of(core_);
         for (std::size_t k = 0; k < caps.count; ++k) {
             const PlacedCap& cap = caps.cap[k];
@@ -157,15 +98,21 @@ class TubeFeatures {
             const double clear = wall_.radius - r - cap.radius - core_.rounding;
             gap_ = std::min(gap_, clear);
             if (clear > 0.0) continue;
-            visit_maxima([&](const Vec3& e) { return Vec3(cap.support(e, 0).position - origin_); },
-                         e1, e2, visit);
+            const Vec2 n = across(cap.axis);
+            const double r2 = square(cap.radius);
+            visit_outline(cap,
+                          ellipse_of(across(cap.center - origin_), r2 * (1.0 - square(n.x())),
+                                     -r2 * n.x() * n.y(), r2 * (1.0 - square(n.y()))),
+                          visit);
         }
         if (core_.shape.core == ConvexShape::Core::cone)
             visit_point(core_.place({0.0, 0.0, core_.shape.low + core_.shape.size.z}), visit);
         if (caps.count == 0) {
-            visit_maxima(
-                [&](const Vec3& e) { return Vec3(core_.support(e, 0).position - origin_); }, e1, e2,
-                visit);
+            const Vec3 axes = core_.shape.size;
+            const Vec3 x = axes.cwiseProduct(core_.direction_in_body(e1_));
+            const Vec3 y = axes.cwiseProduct(core_.direction_in_body(e2_));
+            const Vec2 center = across(core_.center - origin_);
+            visit_outline(core_, ellipse_of(center, x.dot(x), x.dot(y), y.dot(y)), visit);
         }
     }
     double gap() const { return gap_; }
@@ -176,11 +123,17 @@ class TubeFeatures {
         const AxialPoint p = axial_point(x - origin_, axis_);
         add(x, p.radial, p.r, p.z, visit);
     }
-    template <class Support, class Visit>
-    void visit_maxima(const Support& support, const Vec3& e1, const Vec3& e2, const Visit& visit) {
-        TubeMaxima<Support>(support, e1, e2).visit([&](const auto& m) {
-            add(origin_ + m.point, m.direction, m.value, m.point.dot(axis_), visit);
-        });
+    Vec2 across(const Vec3& v) const { return {v.dot(e1_), v.dot(e2_)}; }
+    /// The places farthest from the axis of an end or a body whose outline across the axis is the
+    /// ellipse.
+    template <class Supported, class Visit>
+    void visit_outline(const Supported& body, const Ellipse& outline, const Visit& visit) {
+        const FarthestPlaces places = farthest_places(outline);
+        for (std::size_t k = 0; k < places.count; ++k) {
+            const Vec3 e = places.direction[k].x() * e1_ + places.direction[k].y() * e2_;
+            const Vec3 x = body.support(e, 0).position - origin_;
+            add(origin_ + x, e, e.dot(x), x.dot(axis_), visit);
+        }
     }
     template <class Visit>
     void add(const Vec3& x, const Vec3& outward, double r, double z, const Visit& visit) {
@@ -193,7 +146,7 @@ class TubeFeatures {
 
     const PlacedCore& core_;
     const CylinderWall& wall_;
-    Vec3 axis_, origin_;
+    Vec3 axis_, e1_, e2_, origin_;
     double gap_ = infinite;
 };
 

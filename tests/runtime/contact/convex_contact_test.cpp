@@ -174,6 +174,24 @@ TEST(ConvexContact, TheForceAtAWallIsTheGradientOfTheStoredEnergy) {
     }
 }
 
+TEST(ConvexContact, AFlatEndAtATubeTouchesWithBothCornersWhateverTheAzimuth) {
+    const ConvexSolid rod = make_cylinder(1.5, 3.0, 0.02);
+    for (const double tilt : {0.0, 1e-12, 1e-4}) {
+        for (int k = 0; k < 60; ++k) {
+            const Vec3 outward(std::cos(0.1 * k), std::sin(0.1 * k), 0.0);
+            const Quat q = Quat::FromTwoVectors(
+                Vec3::UnitZ(), Vec3(outward + tilt * Vec3(-outward.y(), outward.x(), 0.5)));
+            Host host;
+            const double gap = std::sqrt(square(25.0 - 0.02) - square(1.48)) - 1.48;
+            const PairState pair{-(gap + 1e-3) * outward, still(q), still(Quat::Identity())};
+            const PairContact contact = collide(rod.shape, CylinderWall{.radius = 25.0}, pair,
+                                                elastic, 1e-6, host.memory());
+            ASSERT_EQ(contact.points, 2U) << tilt << " " << k;
+            if (tilt < 1e-6) EXPECT_NEAR((contact.force.normalized() + outward).norm(), 0.0, 1e-6);
+        }
+    }
+}
+
 TEST(ConvexContact, ASphereOfAnyKindTouchesAlike) {
     const ConvexSolid ball = make_convex_sphere(0.5);
     const Sphere sphere{0.4};
