@@ -100,13 +100,15 @@ struct HalfPlanePoint {
     }
 };
 
-SurfaceDistance from_cylinder(const ConvexShape& shape, const Vec3& x) {
+SurfaceDistance from_cylinder(const ConvexShape& shape, const Vec3& x, double beyond) {
+    const double high = shape.low + shape.size.z;
+    const bool upper = x.z() > 0.5 * (shape.low + high);
+    const double end = upper ? x.z() - high : shape.low - x.z();
+    const double end_z = upper ? 1.0 : -1.0;
+    if (end >= beyond) return {end, Vec3(0.0, 0.0, end_z)};
     const HalfPlanePoint p(x);
     const double side = p.r - shape.size.x;
-    const double high = shape.low + shape.size.z;
-    const bool upper = p.z > 0.5 * (shape.low + high);
-    const double end = upper ? p.z - high : shape.low - p.z;
-    const double end_z = upper ? 1.0 : -1.0;
+    if (side >= beyond) return {side, p.direction(1.0, 0.0)};
     if (side > 0.0 && end > 0.0) {
         const double distance = std::sqrt(square(side) + square(end));
         return {distance, p.direction(side / distance, end_z * end / distance)};
@@ -191,12 +193,12 @@ SurfaceDistance from_ellipsoid(const ConvexShape& shape, const Vec3& x) {
 
 }  // namespace
 
-SurfaceDistance core_distance(const ConvexShape& shape, const Vec3& x) {
+SurfaceDistance core_distance(const ConvexShape& shape, const Vec3& x, double beyond) {
     switch (shape.core) {
         case ConvexShape::Core::ellipsoid:
             return from_ellipsoid(shape, x);
         case ConvexShape::Core::cylinder:
-            return from_cylinder(shape, x);
+            return from_cylinder(shape, x, beyond);
         case ConvexShape::Core::cone:
             return from_cone(shape, x);
         case ConvexShape::Core::polyhedron:

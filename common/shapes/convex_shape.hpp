@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 /// Convex bodies as support mappings [GC 4.2]: a core and a sphere that rolls around it. Body
@@ -139,8 +140,10 @@ struct SurfaceDistance {
 /// Of a point in the body frame from the surface of the rounded body. Exact to rounding.
 SurfaceDistance surface_distance(const ConvexShape& shape, const Vec3& x);
 
-/// The same from the core itself, without the rounding.
-SurfaceDistance core_distance(const ConvexShape& shape, const Vec3& x);
+/// The same from the core itself, without the rounding. Of a point farther than `beyond` [m] a
+/// lower bound that is no less than `beyond` will do.
+SurfaceDistance core_distance(const ConvexShape& shape, const Vec3& x,
+                              double beyond = std::numeric_limits<double>::infinity());
 
 /// The same from a polyhedron with at least two vertices of which it is known that the nearest
 /// point lies in one of these faces. Of a point farther than `beyond` [m] a lower bound, which is

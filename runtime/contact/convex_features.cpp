@@ -67,12 +67,16 @@ Ramp end_ramp(const EdgeLine& edge, double t) {
     return {low.value * high.value, (low.slope * high.value - low.value * high.slope) / edge.ramp};
 }
 
+SurfaceDistance distance_in_body(const PlacedCore& core, const ConvexCap& cap, bool cores_overlap,
+                                 const Vec3& x, double beyond) {
+    return core.has_vertices() && !cores_overlap
+               ? distance_from_faces(core.shape, cap.faces, x, beyond)
+               : core_distance(core.shape, x, beyond);
+}
+
 SurfaceDistance distance_to(const PlacedCore& core, const ConvexCap& cap, bool cores_overlap,
                             const Vec3& x, double beyond) {
-    const Vec3 x_body = core.in_body(x);
-    SurfaceDistance d = core.has_vertices() && !cores_overlap
-                            ? distance_from_faces(core.shape, cap.faces, x_body, beyond)
-                            : core_distance(core.shape, x_body);
+    SurfaceDistance d = distance_in_body(core, cap, cores_overlap, core.in_body(x), beyond);
     d.normal = core.turned(d.normal);
     return d;
 }

@@ -67,6 +67,10 @@ void add_edges(const ConvexScratch& scratch, const NearCores& near, double round
 /// bound that is no less will do.
 SurfaceDistance distance_to(const PlacedCore& core, const ConvexCap& cap, bool cores_overlap,
                             const Vec3& x, double beyond = std::numeric_limits<double>::infinity());
+/// The same in the frame of the core.
+SurfaceDistance distance_in_body(const PlacedCore& core, const ConvexCap& cap, bool cores_overlap,
+                                 const Vec3& x,
+                                 double beyond = std::numeric_limits<double>::infinity());
 
 /// Contacts of edges fade towards parallel over this squared sine: there the vertices carry, and
 /// the nearest points run away. Below the least nothing is left of the weight, and rounding would

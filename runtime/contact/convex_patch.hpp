@@ -99,7 +99,12 @@ class FeatureSum {
     /// d [m].
     double overlap() const { return deepest_ * root(); }
     /// What the sums of this class are to be multiplied with.
-    double scale() const { return std::pow(1.0 / root(), 15.0); }
+    double scale() const {
+        const double x = 1.0 / root();
+        const double x2 = x * x;
+        const double x4 = x2 * x2;
+        return (x4 * x4) * x4 * x2 * x;
+    }
     double weight() const { return weight_; }
     const PairWrench& direction() const { return direction_; }  ///< sum w_k J_k
     const PairWrench& of_weights() const { return of_weights_; }

@@ -32,17 +32,32 @@ struct Body {
     double extent;  ///< of the core along it, from the origin of the pair [m]
 };
 
-/// Overlap of a point of one core, rounded, with the other body.
-FeaturePoint point_against(const Body& body, const Body& other, bool cores_overlap, const Vec3& x) {
-    const SurfaceDistance d = distance_to(other.core, other.side, cores_overlap, x);
+/// Overlap of a point of one core, rounded, with the other body; all in the frame of the other.
+FeaturePoint point_against(const Body& body, const Body& other, bool cores_overlap, const Vec3& x,
+                           double beyond = std::numeric_limits<double>::infinity()) {
+    const SurfaceDistance d = distance_in_body(other.core, other.side, cores_overlap, x, beyond);
     const double overlap = body.core.rounding + other.core.rounding - d.distance;
     return {x - (body.core.rounding - 0.5 * overlap) * d.normal, body.sign * d.normal, overlap};
+}
+
+FeaturePoint from_body(const PlacedCore& core, const FeaturePoint& p) {
+    return {core.place(p.position), core.turned(p.normal), p.overlap};
+}
+
+/// An end of one body in the frame of another.
+PlacedCap seen_from(const PlacedCore& core, const PlacedCap& cap) {
+    return {core.in_body(cap.center),
+            core.direction_in_body(cap.axis),
+            cap.radius,
+            cap.size,
+            cap.rounding,
+            core.direction_in_body(cap.across)};
 }
 
 /// Where the rim of an end is nearest to the other body, downhill from a point of the rim: the root
 /// of the derivative by the angle, by the secant method within a bracket once there is one. A step
 /// to a place that is farther away has left the valley and ends the bracket. Angles are held as the
-/// tangent u of their half, which spares sines.
+/// tangent u of their half, which spares sines. All in the frame of the other body.
 FeaturePoint deepest_of_rim(const PlacedCap& cap, const Vec3& start, const Body& body,
                             const Body& other) {
     const Vec3 across = cap.axis.cross(start);
@@ -75,7 +90,7 @@ FeaturePoint deepest_of_rim(const PlacedCap& cap, const Vec3& start, const Body&
         best_u = u;
         best_slope = slope;
         // The distance is then known to the square of it.
-        if (std::abs(slope) <= 1e-12) break;
+        if (std::abs(slope) <= 1e-9) break;
         const double most = 0.25 / scale;
         const double step = curvature > 0.0 ? std::clamp(-slope / curvature, -most, most)
                                             : -std::copysign(most, slope);
@@ -87,9 +102,9 @@ FeaturePoint deepest_of_rim(const PlacedCap& cap, const Vec3& start, const Body&
 }
 
 /// The deepest point of an end: where the other body reaches lowest, if that is above the end, else
-/// on the rim. `on_core`: the nearest point of the whole core.
-FeaturePoint deepest_of_cap(const PlacedCap& cap, const Vec3& on_core, const Body& body,
-                            const Body& other) {
+/// on the rim. `seen`: the end as seen from there. `on_core`: the nearest point of the whole core.
+FeaturePoint deepest_of_cap(const PlacedCap& cap, const PlacedCap& seen, const Vec3& on_core,
+                            const Body& body, const Body& other) {
     const Vec3 lowest = other.core.support(-cap.axis, 0).position - cap.center;
     const double height = lowest.dot(cap.axis);
     const Vec3 foot = lowest - height * cap.axis;
@@ -104,7 +119,8 @@ FeaturePoint deepest_of_cap(const PlacedCap& cap, const Vec3& on_core, const Bod
     if (std::abs(above) > 0.01 * body.core.size)
         radial = body.towards - body.towards.dot(cap.axis) * cap.axis;
     if (!(radial.norm() > 1e-9 * body.core.size)) radial = cap.axis.unitOrthogonal();
-    return deepest_of_rim(cap, radial.normalized(), body, other);
+    const Vec3 start = other.core.direction_in_body(radial.normalized());
+    return from_body(other.core, deepest_of_rim(seen, start, body, other));
 }
 
 /// Where the lines of edges of the other body pass over the rim of an end: the corners of the patch
@@ -201,10 +217,29 @@ class RimCrossings {
     double reach_;
 };
 
+/// Whether no point of an end overlaps the other body. Those that can lie on the disc above the
+/// height `least` along `towards`, which leaves of it a segment around its highest point.
+bool is_out_of_reach(const PlacedCap& cap, double least, const Body& body, const Body& other,
+                     const NearCores& near) {
+    const Vec3 highest = cap.support(body.towards, 0).position;
+    const double height = highest.dot(body.towards) - least;
+    if (height < 0.0) return true;
+    const double sine = body.towards.cross(cap.axis).norm();
+    if (near.cores_overlap || height > sine * cap.radius) return false;
+    // From the highest point to where the rim sinks below: 2 R sin(phi / 2), height = sine R (1 -
+    // cos phi).
+    const double segment = std::sqrt(2.0 * cap.radius * height / sine);
+    const double reach = body.core.rounding + other.core.rounding + segment;
+    return distance_in_body(other.core, other.side, false, other.core.in_body(highest), reach)
+               .distance >= reach;
+}
+
 void add_cap(const PlacedCap& cap, const Body& body, const Body& other, const NearCores& near,
              const FeaturePoint& deepest, FeatureSum& features) {
     const double least = body.extent - near.deepest;
-    if (cap.support(body.towards, 0).position.dot(body.towards) < least) return;
+    if (is_out_of_reach(cap, least, body, other, near)) return;
+    const PlacedCap seen = seen_from(other.core, cap);
+    const double reach = body.core.rounding + other.core.rounding;
     FeatureSum samples(features.pair(), features.deepest());
     // The samples less than `deepest` behind the farthest point of the body.
     const double middle = cap.center.dot(body.towards);
@@ -213,8 +248,9 @@ void add_cap(const PlacedCap& cap, const Body& body, const Body& other, const Ne
     for (std::size_t k = 0; k < PlacedCap::sample_count; ++k) {
         const Vec2 direction = PlacedCap::sample_direction(k);
         if (middle + direction.x() * along + direction.y() * beside < least) continue;
-        const FeaturePoint p = point_against(body, other, near.cores_overlap, cap.sample(k));
-        if (p.overlap > 0.0) samples.add(p, rim_sample_weight);
+        const FeaturePoint p =
+            point_against(body, other, near.cores_overlap, seen.sample(k), reach);
+        if (p.overlap > 0.0) samples.add(from_body(other.core, p), rim_sample_weight);
     }
     const Vec3 on_core = deepest.position +
                          body.sign * (body.core.rounding - 0.5 * deepest.overlap) * deepest.normal;
@@ -234,7 +270,7 @@ void add_cap(const PlacedCap& cap, const Body& body, const Body& other, const Ne
     if (samples.power() >= 1.5) {
         features.add(samples, 1.0);
     } else {
-        add_blended(deepest_of_cap(cap, on_core, body, other), 1.0, samples, features);
+        add_blended(deepest_of_cap(cap, seen, on_core, body, other), 1.0, samples, features);
     }
 }
 
@@ -242,8 +278,8 @@ void add_tip(const Body& body, const Body& other, const NearCores& near, Feature
     const ConvexShape& shape = body.core.shape;
     const Vec3 tip = body.core.place({0.0, 0.0, shape.low + shape.size.z});
     if (tip.dot(body.towards) < body.extent - near.deepest) return;
-    const FeaturePoint p = point_against(body, other, near.cores_overlap, tip);
-    if (p.overlap > 0.0) features.add(p, 1.0);
+    const FeaturePoint p = point_against(body, other, near.cores_overlap, other.core.in_body(tip));
+    if (p.overlap > 0.0) features.add(from_body(other.core, p), 1.0);
 }
 
 /// The axis of a cylinder as an edge that is as thick as the cylinder.
