@@ -187,7 +187,8 @@ TEST(ConvexContact, AFlatEndAtATubeTouchesWithBothCornersWhateverTheAzimuth) {
             const PairContact contact = collide(rod.shape, CylinderWall{.radius = 25.0}, pair,
                                                 elastic, 1e-6, host.memory());
             ASSERT_EQ(contact.points, 2U) << tilt << " " << k;
-            if (tilt < 1e-6) EXPECT_NEAR((contact.force.normalized() + outward).norm(), 0.0, 1e-6);
+            const double off = tilt < 1e-6 ? 1e-6 : 0.1;  // one corner then carries more
+            EXPECT_NEAR((contact.force.normalized() + outward).norm(), 0.0, off);
         }
     }
 }
