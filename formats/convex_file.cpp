@@ -38,21 +38,43 @@ std::vector<Vec3> points(const ProfileText& text) {
 ConvexSolid sphere(const Parameters& p, double) {
     return make_convex_sphere(p.radius());
 }
-ConvexSolid ellipsoid(const Parameters& p, double) {
-    const Vec3 axes{p.length("a"), p.length("b"), p.length("c")};
+ConvexSolid ellipsoid_of(const Parameters& p, const Vec3& axes) {
     constexpr double most_slender = 2000.0;  // pictures of thinner ones would fill the memory
     if (axes.maxCoeff() > most_slender * axes.minCoeff())
         p.fail("shape", "semi-axes that differ by a factor of 2000 at most");
     return make_ellipsoid(axes);
 }
+ConvexSolid ellipsoid(const Parameters& p, double) {
+    return ellipsoid_of(p, {p.length("a"), p.length("b"), p.length("c")});
+}
 ConvexSolid spheroid(const Parameters& p, double) {
-    return make_ellipsoid({p.length("a"), p.length("a"), p.length("c")});
+    return ellipsoid_of(p, {p.length("a"), p.length("a"), p.length("c")});
 }
 ConvexSolid cylinder(const Parameters& p, double rounding) {
     return make_cylinder(p.radius(), p.length("height"), rounding);
 }
 ConvexSolid cone(const Parameters& p, double rounding) {
     return make_cone(p.radius(), p.length("height"), rounding);
+}
+/// A frustum that is a cone or a cylinder, about the middle of its height.
+ConvexSolid frustum(const Parameters& p, double rounding) {
+    const double bottom = p.length_or_zero("bottom_radius");
+    const double top = p.length_or_zero("top_radius");
+    const double height = p.length("height");
+    if (bottom == top && bottom > 0.0) return make_cylinder(bottom, height, rounding);
+    if (bottom > 0.0 && top > 0.0)
+        p.fail("top_radius",
+               "zero, a cone, or the bottom radius, a cylinder; --sr takes any frustum");
+    if (bottom == 0.0 && top == 0.0) p.fail("top_radius", "one radius above zero");
+    ConvexSolid cone = make_cone(std::max(bottom, top), height, rounding);
+    MassProperties& body = cone.mass_properties;
+    body.center_of_mass.z() -= 0.5 * height;
+    if (bottom == 0.0) {
+        body.center_of_mass.z() *= -1.0;
+        body.principal_axes =
+            Quat(0.0, 1.0, 0.0, 0.0) * body.principal_axes;  // half a turn about x
+    }
+    return cone;
 }
 ConvexSolid cuboid(const Parameters& p, double rounding) {
     return make_cuboid({p.length("length"), p.length("width"), p.length("height")}, rounding);
@@ -96,6 +118,7 @@ const std::vector<NamedConvex>& profiles() {
         {"spheroid", {"a", "c"}, false, spheroid},
         {"cylinder", {"radius", "diameter", "height"}, true, cylinder},
         {"disc", {"radius", "diameter", "height"}, true, cylinder},
+        {"frustum", {"bottom_radius", "top_radius", "height"}, true, frustum},
         {"spherocylinder", {"radius", "diameter", "cylinder_height"}, false, spherocylinder}};
     return list;
 }
@@ -212,9 +235,10 @@ ConvexFile parse_convex_profile(std::string_view bytes, const std::string& path,
         return name != text.settings.end() && shape.name == name->second.value;
     });
     if (found == known.end())
-        throw Error(path,
-                    "found a profile that is no named sphere, spheroid, cylinder, disc or "
-                    "spherocylinder, expected --sr, which takes any convex profile exactly");
+        throw Error(
+            path,
+            "found a profile that is no named sphere, spheroid, cylinder, disc, "
+            "frustum or spherocylinder, expected --sr, which takes any convex profile exactly");
     return convex(bytes, text, *found, rounding);
 }
 

@@ -55,8 +55,8 @@ double read_size(const std::string& words) {
 po::options_description convex_options() {
     po::options_description options("Convex shapes (docs/convex-file.md)");
     options.add_options()("convex",
-                          "the hull of a mesh, or a profile that is a sphere, spheroid, cylinder "
-                          "or spherocylinder; not needed for a .convex file")(
+                          "the hull of a mesh, or a profile that is a sphere, spheroid, cylinder, "
+                          "cone or spherocylinder; not needed for a .convex file")(
         "vertices", po::value<std::int64_t>()->value_name("N"),
         "of a mesh's hull keep N vertices, those that matter most")(
         "rounding", text("R"),

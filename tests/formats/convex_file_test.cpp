@@ -3,6 +3,7 @@
 
 #include "common/error.hpp"
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -120,10 +121,37 @@ TEST(ConvexFile, AProfileThatIsAConvexShapeGivesTheSameAsTheConvexFile) {
                 parse("shape=cylinder\nradius=2\nheight=1"));
     expect_same(profile("shape=spherocylinder\nradius=2\ncylinder_height=3"),
                 parse("shape=capsule\nradius=2\nlength=7"));
+    expect_same(profile("shape=frustum\nbottom_radius=2\ntop_radius=2\nheight=3"),
+                parse("shape=cylinder\nradius=2\nheight=3"));
     for (const char* other : {"shape=peanut\nlength=2\nwaist=1", "0 0\n1 1\n0 2\n"}) {
         const std::string message = message_of([&] { profile(other); });
         EXPECT_NE(message.find("expected --sr"), std::string::npos) << message;
     }
+}
+
+TEST(ConvexFile, AFrustumWithATipIsAConeWhereTheProfilePutsIt) {
+    const ConvexSolid cone = parse("shape=cone\nradius=2\nheight=3\nrounding=0.01");
+    for (const double up : {1.0, -1.0}) {
+        const std::string radii =
+            up > 0.0 ? "bottom_radius=2\ntop_radius=0" : "bottom_radius=0\ntop_radius=2";
+        const ConvexSolid solid = parse_convex_profile("shape=frustum\n" + radii + "\nheight=3",
+                                                       "x.profile", parse_rounding("0.01", 1.0))
+                                      .solid;
+        EXPECT_EQ(solid.shape.core, ConvexShape::Core::cone);
+        EXPECT_EQ(solid.mass_properties.volume, cone.mass_properties.volume);
+        EXPECT_NEAR(solid.mass_properties.center_of_mass.z(),
+                    up * (cone.mass_properties.center_of_mass.z() - 1.5), 1e-15);
+        EXPECT_NEAR(solid.mass_properties.principal_axes.norm(), 1.0, 1e-15);
+        const Vec3 rim(1.9, 0.0, -1.49 * up);
+        const Vec3 beside_tip(1.9, 0.0, 1.49 * up);
+        EXPECT_LT(farthest_outside(solid, std::array{rim}), 0.02);
+        EXPECT_GT(farthest_outside(solid, std::array{beside_tip}), 1.0);
+        EXPECT_NEAR(solid.corner_retreat, cone.corner_retreat, 1e-12);
+    }
+    const std::string message = message_of([] {
+        parse_convex_profile("shape=frustum\nbottom_radius=2\ntop_radius=1\nheight=3", "x.profile");
+    });
+    EXPECT_NE(message.find("--sr takes any frustum"), std::string::npos) << message;
 }
 
 TEST(ConvexFile, WhatIsWrongIsSaidInOneLineWithItsPlace) {
