@@ -139,11 +139,12 @@ BuiltClump ClumpMaker::Impl::clump_within(double rms_deviation) {
 void ClumpMaker::Impl::refuse(double coverage) {
     CellCover cover(cells_);
     std::vector<std::uint32_t> all;
-    cover_greedily(pool_.balls(), CoverGoal{}, cover, all);
+    cover_greedily(pool_.balls(), CoverGoal{.count = Clump::most_spheres}, cover, all);
+    const double ceiling = all.size() < Clump::most_spheres ? pool_.ceiling() : cover.coverage();
     fail(
         "found a coverage of %.12g asked for, expected at most %.4f: the best clump has %zu "
         "spheres; more voxels (--resolution) or smaller spheres may reach it",
-        coverage, pool_.ceiling(), all.size());
+        coverage, ceiling, all.size());
 }
 
 ClumpMaker::ClumpMaker(TriangleMesh mesh, const MassProperties& properties,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numeric>
 #include <utility>
 
@@ -171,7 +172,14 @@ std::vector<Finding> keep_one_body(TriangleMesh& mesh, const ShellOptions& optio
         others.treatment = "expected one body; --largest keeps the largest only";
         return {others};
     }
-    if (options.keep_largest) others.volume = 0.0;  // asked for
+    if (options.keep_largest && others.count > 0) {
+        // Asked for: nothing that a limit is about.
+        char words[64];
+        std::snprintf(words, sizeof words, "left out, %.3g %% of the volume of the largest",
+                      100.0 * others.volume / body_volume[largest]);
+        others.treatment = words;
+        others.volume = 0.0;
+    }
     for (const Finding& finding : {hollows, others})
         if (finding.count > 0) report.findings.push_back(finding);
     if (shells.size() > 1 || !report.findings.empty()) mesh = put_together(shells, largest);

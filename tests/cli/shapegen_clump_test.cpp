@@ -280,6 +280,10 @@ TEST_F(ShapegenClump, RefusesTwoBodiesUnlessTheLargestIsWanted) {
     expect_failure("two.off --clump-spheres 5" + coarse, 1, "--largest");
     const ParticleTemplate shape = cook("two.off --clump-spheres 5 --largest" + coarse);
     EXPECT_NEAR(shape.mass_properties.volume, 2e-9, 1e-18);
+    const Outcome said = run("two.off --clump-spheres 5 --largest -o said.tpl" + coarse);
+    EXPECT_NE((said.output + said.errors).find("50 % of the volume of the largest"),
+              std::string::npos)
+        << said.output << said.errors;
 }
 
 TEST_F(ShapegenClump, TakesAnInnerShellForAHollowAndTurnsWhatIsInsideOut) {
