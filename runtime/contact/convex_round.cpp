@@ -54,6 +54,20 @@ PlacedCap seen_from(const PlacedCore& core, const PlacedCap& cap) {
             core.direction_in_body(cap.across)};
 }
 
+/// Second derivative of the distance from a core at x along a unit direction [1/m]; `away` its
+/// gradient. Zero, a lower bound, of other cores than cylinders.
+double bend(const ConvexShape& core, const Vec3& x, const Vec3& away, double distance,
+            const Vec3& along) {
+    const double r = std::sqrt(square(x.x()) + square(x.y()));
+    if (core.core != ConvexShape::Core::cylinder || r == 0.0) return 0.0;
+    const Vec3 around(-x.y() / r, x.x() / r, 0.0);
+    const double away_r = (away.x() * x.x() + away.y() * x.y()) / r;
+    double second = away_r / r * square(along.dot(around));
+    const bool is_beyond_rim = away_r > 0.0 && away.z() != 0.0 && distance > 0.0;
+    if (is_beyond_rim) second += square(along.dot(away.cross(around))) / distance;
+    return second;
+}
+
 /// Where the rim of an end is nearest to the other body, downhill from a point of the rim: the root
 /// of the derivative by the angle, by the secant method within a bracket once there is one. A step
 /// to a place that is farther away has left the valley and ends the bracket. Angles are held as the
@@ -62,6 +76,7 @@ FeaturePoint deepest_of_rim(const PlacedCap& cap, const Vec3& start, const Body&
                             const Body& other) {
     const Vec3 across = cap.axis.cross(start);
     const double rounding_error = 1e-15 * cap.size;
+    const double reach = body.core.rounding + other.core.rounding;
     double low = -std::numeric_limits<double>::infinity();  // where the slope was last seen < 0
     double high = -low;                                     // and > 0
     double u = 0.0;
@@ -73,7 +88,8 @@ FeaturePoint deepest_of_rim(const PlacedCap& cap, const Vec3& start, const Body&
         const double c = (1.0 - u * u) * scale;
         const double s = 2.0 * u * scale;
         const Vec3 m = c * start + s * across;
-        const FeaturePoint p = point_against(body, other, false, cap.center + cap.radius * m);
+        const Vec3 x = cap.center + cap.radius * m;
+        const FeaturePoint p = point_against(body, other, false, x);
         if (k > 0 && p.overlap < best.overlap - rounding_error) {
             (u < best_u ? low : high) = u;
             u = 0.5 * (u + best_u);
@@ -81,11 +97,18 @@ FeaturePoint deepest_of_rim(const PlacedCap& cap, const Vec3& start, const Body&
             continue;
         }
         const Vec3 away = body.sign * p.normal;
-        const double slope = away.dot(c * across - s * start);
+        const Vec3 along = c * across - s * start;
+        const double slope = away.dot(along);
         (slope < 0.0 ? low : high) = u;
-        // Of a plane the second derivative by the angle is -away.m, of any convex body more.
-        double curvature = 2.0 * scale * std::max(-away.dot(m), 2.0 * std::abs(slope));
-        if (k > 0) curvature = (slope - best_slope) / (u - best_u);
+        double curvature = 0.0;
+        if (k > 0) {
+            curvature = (slope - best_slope) / (u - best_u);
+        } else {
+            const double distance = reach - p.overlap;
+            const double by_angle =
+                cap.radius * bend(other.core.shape, x, away, distance, along) - away.dot(m);
+            curvature = 2.0 * scale * std::max(by_angle, 2.0 * std::abs(slope));
+        }
         best = p;
         best_u = u;
         best_slope = slope;
