@@ -8,8 +8,22 @@ namespace dem {
 /// Most contacts of grains are one vertex on a face or one edge across another, far from all other
 /// features. Where what can touch of the bodies (docs/contact-convex.md, "Features") proves that to
 /// be so, adds the feature and returns true: to the bit what add_polyhedra() adds. Cores that do
-/// not overlap.
+/// not overlap. `lone`: the feature, if it stays alone for a while.
 bool add_lone_feature(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
-                      FeatureSum& features);
+                      FeatureSum& features, LoneFeature& lone);
+
+/// The same proof for a pair of which only one feature overlaps, by looking at all others; costs as
+/// much as add_polyhedra() and is left out for some steps after it has failed.
+void look_for_lone_feature(const PlacedCore& i, const PlacedCore& j, const PairState& pair,
+                           const NearCores& near, ConvexScratch& scratch, LoneFeature& lone);
+
+/// The overlap of a feature that is still alone [m]; not positive when that is no longer proven or
+/// it does not touch. `normal`: of the contact in the step before.
+double lone_overlap(const PlacedCore& i, const PlacedCore& j, const PairState& pair,
+                    const LoneFeature& lone, const Vec3& normal);
+
+/// Adds it. `features`: a sum with this overlap as the deepest.
+void add_known_feature(const PlacedCore& i, const PlacedCore& j, const LoneFeature& lone,
+                       const Vec3& normal, FeatureSum& features);
 
 }  // namespace dem

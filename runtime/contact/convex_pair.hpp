@@ -100,12 +100,13 @@ ConvexTouch touch_of(const CoreI& i, const CoreJ& j, const CoreDistance& found) 
 /// Bodies of which one has no flat part touch in one point.
 template <class CoreI, class CoreJ>
 void add_features(const CoreI& /*i*/, const CoreJ& /*j*/, const ConvexTouch& touch,
-                  ConvexScratch& /*scratch*/, FeatureSum& features) {
+                  const ConvexMemory& /*memory*/, FeatureSum& features) {
     features.add(touch.point, 1.0);
 }
 
 inline void add_features(const PlacedCore& i, const PlacedCore& j, const ConvexTouch& touch,
-                         ConvexScratch& scratch, FeatureSum& features) {
+                         const ConvexMemory& memory, FeatureSum& features) {
+    ConvexScratch& scratch = memory.scratch;
     if (i.shape.is_strictly_convex() || j.shape.is_strictly_convex()) {
         features.add(touch.point, 1.0);
     } else if (i.has_vertices() && j.has_vertices() && touch.near.cores_overlap) {
@@ -114,8 +115,11 @@ inline void add_features(const PlacedCore& i, const PlacedCore& j, const ConvexT
         add_polyhedra(i, j, touch.near, scratch, others);
         add_remaining(touch.point, others, features);
     } else if (i.has_vertices() && j.has_vertices()) {
-        if (!add_lone_feature(i, j, touch.near, features))
+        LoneFeature& lone = memory.history.lone;
+        if (!add_lone_feature(i, j, touch.near, features, lone))
             add_polyhedra(i, j, touch.near, scratch, features);
+        if (features.count() == 1 && lone.kind == LoneFeature::Kind::none)
+            look_for_lone_feature(i, j, features.pair(), touch.near, scratch, lone);
     } else {
         add_round(i, j, touch.near, touch.point, scratch, features);
     }
@@ -139,6 +143,29 @@ inline void sharpen_single(const PlacedCore& i, const PlacedCore& j, CoreDistanc
     if (is_single && !found.overlaps) sharpen(i, j, found);
 }
 
+/// A feature that is known to be the only one: nothing is searched. False if there is none.
+template <class CoreI, class CoreJ>
+bool is_lone_contact(const CoreI& /*i*/, const CoreJ& /*j*/, const ConvexRadius& /*radius*/,
+                     const ConvexCall& /*call*/, PairContact& /*contact*/) {
+    return false;
+}
+inline bool is_lone_contact(const PlacedCore& i, const PlacedCore& j, const ConvexRadius& radius,
+                            const ConvexCall& call, PairContact& contact) {
+    ConvexHistory& history = call.memory.history;
+    const Vec3 normal = history.normal;
+    const double overlap = lone_overlap(i, j, call.pair, history.lone, normal);
+    if (overlap > 0.0) {
+        FeatureSum features(call.pair, overlap);
+        add_known_feature(i, j, history.lone, normal, features);
+        if (!features.empty()) {
+            contact = contact_force(features, radius.value(), call.law, call.dt, history);
+            return true;
+        }
+    }
+    history.lone.kind = LoneFeature::Kind::none;
+    return false;
+}
+
 template <class CoreI, class CoreJ>
 PairContact core_contact(const CoreI& i, const CoreJ& j, const ConvexRadius& radius,
                          const ConvexCall& call) {
@@ -147,6 +174,8 @@ PairContact core_contact(const CoreI& i, const CoreJ& j, const ConvexRadius& rad
     const Vec3& d = call.pair.displacement;
     const double reach = i.rounding + j.rounding;
     const bool touched = history.effective_radius > 0.0;
+    PairContact lone;
+    if (touched && is_lone_contact(i, j, radius, call, lone)) return lone;
     if (!touched && Vec3(memory.miss.axis).squaredNorm() > 0.0) {
         const Vec3 axis = memory.miss.axis;
         const double gap = -axis.dot(gjk::support(i, j, axis, 0, 0).w) - reach;
@@ -164,7 +193,7 @@ PairContact core_contact(const CoreI& i, const CoreJ& j, const ConvexRadius& rad
     if (call.law.method == ContactLaw::Method::centroid) {
         features.add(centroid_point(i, j, touch, memory.scratch), 1.0);
     } else {
-        add_features(i, j, touch, memory.scratch, features);
+        add_features(i, j, touch, memory, features);
     }
     if (features.empty()) features.add(touch.point, 1.0);
     PairContact contact = contact_force(features, radius.value(), call.law, call.dt, history);

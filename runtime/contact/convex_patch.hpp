@@ -158,6 +158,19 @@ inline void add_remaining(const FeaturePoint& point, const FeatureSum& others,
     features.add(others, share);
 }
 
+/// The one feature of two polyhedra that touches, and for how long it is the only one that can
+/// (convex_lone.hpp). All zero: none is known.
+struct LoneFeature {
+    enum class Kind : std::uint32_t { none, vertex_of_i, vertex_of_j, edges };
+    Kind kind = Kind::none;
+    std::uint32_t of_i = 0, of_j = 0;  ///< numbers of a vertex, a face or an edge
+    std::uint32_t wait = 0;            ///< steps until it is looked for again
+    double room = 0.0;                 ///< for the motion of any point of j in the frame of i [m]
+    StoredVec3 center;                 ///< of j in the frame of i, where that was found [m]
+    StoredVec3 turn;                   ///< of j in that frame, a quaternion, and
+    double turn_w = 0.0;               ///< its scalar
+};
+
 /// History of a pair of which at least one body is of kind `convex`. All zero: no contact.
 struct ConvexHistory {
     StoredVec3 normal;              ///< last direction of the normal force, from j towards i
@@ -169,7 +182,8 @@ struct ConvexHistory {
     double twist_stiffness = 0.0;   ///< [N m]
     double weight = 0.0;            ///< of the features together in the step before
     SearchStart search;             ///< where the search for the distance starts
-    std::uint64_t cores_met = 0;    ///< whether the cores have overlapped in this contact
+    LoneFeature lone;
+    std::uint64_t cores_met = 0;  ///< whether the cores have overlapped in this contact
 };
 static_assert(std::is_trivially_copyable_v<ConvexHistory>);
 

@@ -97,13 +97,16 @@ TEST(ConvexContact, ForceAndTorquesAreTheGradientOfTheStoredEnergy) {
     }
 }
 
+std::vector<ConvexSolid> grains() {
+    return {make_cuboid({1.0, 1.4, 0.6}, 0.02), make_cuboid({1.2, 1.0, 0.05}, 0.01),
+            make_convex_polyhedron(tetrahedron_corners(1.5), 0.03), random_polyhedron(20, 1, 0.02),
+            random_polyhedron(6, 2, 0.01)};
+}
+
 // Most contacts of grains are a vertex on a face or an edge across another: found to be alone
 // they give, to the bit, what all features give.
 TEST(ConvexContact, ALoneFeatureIsAllThereIs) {
-    const std::vector<ConvexSolid> solids{
-        make_cuboid({1.0, 1.4, 0.6}, 0.02), make_cuboid({1.2, 1.0, 0.05}, 0.01),
-        make_convex_polyhedron(tetrahedron_corners(1.5), 0.03), random_polyhedron(20, 1, 0.02),
-        random_polyhedron(6, 2, 0.01)};
+    const std::vector<ConvexSolid> solids = grains();
     Random random(12, 4);
     int touching = 0;
     int lone = 0;
@@ -128,7 +131,8 @@ TEST(ConvexContact, ALoneFeatureIsAllThereIs) {
         const ConvexTouch touch = touch_of(i, j, found);
         FeatureSum alone(pair, touch.point.overlap);
         ++touching;
-        if (!add_lone_feature(i, j, touch.near, alone)) continue;
+        LoneFeature found_lone;
+        if (!add_lone_feature(i, j, touch.near, alone, found_lone)) continue;
         ++lone;
         FeatureSum all(pair, touch.point.overlap);
         add_polyhedra(i, j, touch.near, scratch, all);
@@ -140,6 +144,60 @@ TEST(ConvexContact, ALoneFeatureIsAllThereIs) {
     EXPECT_GT(touching, 3000);
     EXPECT_GT(lone, touching / 4);
     RecordProperty("lone", lone);
+}
+
+// The proof that nothing else touches covers the motion for which it is used.
+TEST(ConvexContact, ALoneFeatureStaysAloneAsLongAsItsRoomLasts) {
+    const std::vector<ConvexSolid> solids = grains();
+    Random random(12, 5);
+    int used = 0;
+    int outside = 0;
+    for (int k = 0; k < 3000; ++k) {
+        const ConvexShape& a = solids[static_cast<std::size_t>(k) % solids.size()].shape;
+        const ConvexShape& b = solids[static_cast<std::size_t>(k) / 5 % solids.size()].shape;
+        const double tilt = k % 3 == 0 ? std::pow(10.0, random.uniform(-4.0, 0.0)) : pi;
+        const Poses p = random_poses(random, tilt);
+        const double wanted =
+            std::pow(10.0, random.uniform(-4.0, -0.3)) * (a.rounding + b.rounding);
+        const auto pair_at = [&](double x) {
+            return PairState{x * p.direction + p.offset, still(p.i), still(p.j)};
+        };
+        const PairState pair = pair_at(place_of(
+            wanted, 4.0, [&](double y) { return resting_contact(a, b, pair_at(y)).overlap; }));
+        Host before;
+        before.history.effective_radius = 0.25;
+        before.history.search.direction = Vec3(pair.displacement.normalized() * -1.0);
+        collide(a, b, pair, elastic, 1e-6, before.memory());
+        const LoneFeature& lone = before.history.lone;
+        for (int n = 0; n < 4 && lone.kind != LoneFeature::Kind::none; ++n) {
+            const double angle = lone.room * random.uniform();
+            PairState moved = pair;
+            moved.displacement += random.uniform(0.0, 0.7) * lone.room * random.direction();
+            moved.i.orientation = turned(random.direction(), 0.3 * angle) * pair.i.orientation;
+            moved.j.orientation = turned(random.direction(), 0.3 * angle) * pair.j.orientation;
+            const PlacedCore i(a, moved.i.orientation, Vec3::Zero());
+            const PlacedCore j(b, moved.j.orientation, moved.displacement);
+            Host host;
+            host.history = before.history;
+            if (!(lone_overlap(i, j, moved, lone, host.history.normal) > 0.0)) {
+                ++outside;
+                continue;
+            }
+            ++used;
+            const PairContact quick = collide(a, b, moved, elastic, 1e-6, host.memory());
+            ASSERT_NE(host.history.lone.kind, LoneFeature::Kind::none);
+            const PairContact whole = resting_contact(a, b, moved);
+            // Rounding of the distance, relative to the overlap.
+            const double bound = 1e-13 / whole.overlap + 1e-9;
+            ASSERT_NEAR(quick.overlap, whole.overlap, 1e-13 + 1e-12 * whole.overlap) << k;
+            ASSERT_LT((quick.force - whole.force).norm(), bound * whole.force.norm()) << k;
+            ASSERT_LT((quick.torque_i - whole.torque_i).norm(), bound * whole.force.norm()) << k;
+            ASSERT_LT((quick.torque_j - whole.torque_j).norm(), bound * whole.force.norm()) << k;
+        }
+    }
+    EXPECT_GT(used, 2000);
+    EXPECT_GT(outside, 50);
+    RecordProperty("used", used);
 }
 
 TEST(ConvexContact, TheForceAtAWallIsTheGradientOfTheStoredEnergy) {
