@@ -248,13 +248,14 @@ bool is_out_of_reach(const PlacedCap& cap, double least, const Body& body, const
     const double height = highest.dot(body.towards) - least;
     if (height < 0.0) return true;
     const double sine = body.towards.cross(cap.axis).norm();
-    if (near.cores_overlap || height > sine * cap.radius) return false;
-    // From the highest point to where the rim sinks below: 2 R sin(phi / 2), height = sine R (1 -
-    // cos phi).
+    if (near.cores_overlap || !(height < sine * cap.radius)) return false;
+    // From the highest point to where the rim, turned by phi, sinks below:
+    //     2 R sin(phi / 2),  height = sine R (1 - cos phi)
     const double segment = std::sqrt(2.0 * cap.radius * height / sine);
     const double reach = body.core.rounding + other.core.rounding + segment;
-    return distance_in_body(other.core, other.side, false, other.core.in_body(highest), reach)
-               .distance >= reach;
+    // Farther than the features of a pair ever are: what is nearest may lie outside of the cap.
+    const Vec3 x = other.core.in_body(highest);
+    return core_distance(other.core.shape, x, reach).distance >= reach;
 }
 
 void add_cap(const PlacedCap& cap, const Body& body, const Body& other, const NearCores& near,
