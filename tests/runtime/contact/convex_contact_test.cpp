@@ -103,6 +103,26 @@ std::vector<ConvexSolid> grains() {
             random_polyhedron(6, 2, 0.01)};
 }
 
+/// Two of the grains in a random pose, overlapping by up to half of their roundings.
+struct TouchingGrains {
+    const ConvexShape& a;
+    const ConvexShape& b;
+    PairState pair;
+};
+TouchingGrains touching_grains(const std::vector<ConvexSolid>& solids, int k, Random& random) {
+    const ConvexShape& a = solids[static_cast<std::size_t>(k) % solids.size()].shape;
+    const ConvexShape& b = solids[static_cast<std::size_t>(k) / 5 % solids.size()].shape;
+    const double tilt = k % 3 == 0 ? std::pow(10.0, random.uniform(-4.0, 0.0)) : pi;
+    const Poses p = random_poses(random, tilt);
+    const double wanted = std::pow(10.0, random.uniform(-4.0, -0.3)) * (a.rounding + b.rounding);
+    const auto pair_at = [&](double x) {
+        return PairState{x * p.direction + p.offset, still(p.i), still(p.j)};
+    };
+    const double x =
+        place_of(wanted, 4.0, [&](double y) { return resting_contact(a, b, pair_at(y)).overlap; });
+    return {a, b, pair_at(x)};
+}
+
 // Most contacts of grains are a vertex on a face or an edge across another: found to be alone
 // they give, to the bit, what all features give.
 TEST(ConvexContact, ALoneFeatureIsAllThereIs) {
@@ -112,20 +132,9 @@ TEST(ConvexContact, ALoneFeatureIsAllThereIs) {
     int lone = 0;
     ConvexScratch scratch;
     for (int k = 0; k < 4000; ++k) {
-        const ConvexShape& a = solids[static_cast<std::size_t>(k) % solids.size()].shape;
-        const ConvexShape& b = solids[static_cast<std::size_t>(k) / 5 % solids.size()].shape;
-        const double tilt = k % 3 == 0 ? std::pow(10.0, random.uniform(-4.0, 0.0)) : pi;
-        const Poses p = random_poses(random, tilt);
-        const double wanted =
-            std::pow(10.0, random.uniform(-4.0, -0.3)) * (a.rounding + b.rounding);
-        const auto pair_at = [&](double x) {
-            return PairState{x * p.direction + p.offset, still(p.i), still(p.j)};
-        };
-        const double x = place_of(
-            wanted, 4.0, [&](double y) { return resting_contact(a, b, pair_at(y)).overlap; });
-        const PairState pair = pair_at(x);
-        const PlacedCore i(a, p.i, Vec3::Zero());
-        const PlacedCore j(b, p.j, pair.displacement);
+        const auto& [a, b, pair] = touching_grains(solids, k, random);
+        const PlacedCore i(a, pair.i.orientation, Vec3::Zero());
+        const PlacedCore j(b, pair.j.orientation, pair.displacement);
         const CoreDistance found = core_distance(i, j, canonical_start(pair.displacement), 0.0);
         if (found.overlaps || found.distance >= i.rounding + j.rounding) continue;
         const ConvexTouch touch = touch_of(i, j, found);
@@ -153,17 +162,7 @@ TEST(ConvexContact, ALoneFeatureStaysAloneAsLongAsItsRoomLasts) {
     int used = 0;
     int outside = 0;
     for (int k = 0; k < 3000; ++k) {
-        const ConvexShape& a = solids[static_cast<std::size_t>(k) % solids.size()].shape;
-        const ConvexShape& b = solids[static_cast<std::size_t>(k) / 5 % solids.size()].shape;
-        const double tilt = k % 3 == 0 ? std::pow(10.0, random.uniform(-4.0, 0.0)) : pi;
-        const Poses p = random_poses(random, tilt);
-        const double wanted =
-            std::pow(10.0, random.uniform(-4.0, -0.3)) * (a.rounding + b.rounding);
-        const auto pair_at = [&](double x) {
-            return PairState{x * p.direction + p.offset, still(p.i), still(p.j)};
-        };
-        const PairState pair = pair_at(place_of(
-            wanted, 4.0, [&](double y) { return resting_contact(a, b, pair_at(y)).overlap; }));
+        const auto& [a, b, pair] = touching_grains(solids, k, random);
         Host before;
         before.history.effective_radius = 0.25;
         before.history.search.direction = Vec3(pair.displacement.normalized() * -1.0);
