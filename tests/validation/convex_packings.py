@@ -5,45 +5,8 @@ import sys
 
 import numpy as np
 
-from packing import arguments
+from packing import RAIN, arguments
 from validation import Page, Run, cook, plt
-
-CASE = """
-[run]
-end_time = 1.1 s
-stop = at_rest
-time_step_divisor = {divisor}
-seed = {seed}
-[material.grain]
-density = 2500
-youngs_modulus = 50 MPa
-poissons_ratio = 0.3
-[contact]
-model = linear
-normal_stiffness = 1e4
-restitution = 0.8
-tangential_restitution = 0.6
-friction = 0.1
-[particles.grains]
-template = {template}
-material = grain
-count = {count}
-insert = batches
-region = cylinder 0 0 {low} mm  0 0 {high} mm  21 mm
-batch = {batch}
-every = 40 ms
-[wall.vessel]
-shape = cylinder
-point = 0 0 0
-radius = 25 mm
-material = grain
-[output]
-frames_every = 100 ms
-history_every = 5 ms
-[measure.height]
-kind = fill_height
-every = 20 ms
-"""
 
 R, D = 25.0, 3.0  # radius of the vessel and width of every body, mm
 COUNTS = {0.25: 700, 0.5: 800, 1.0: 600, 2.0: 400, 3.0: 300}
@@ -56,7 +19,8 @@ LAUNCH_SEEDS = {("cuboid", 2.0), ("cuboid", 3.0), ("cylinder", 2.0), ("cylinder"
 def pack(shape, ratio, seed, reuse):
     template = cook("units = mm\n" + SHAPES[shape][0](D * ratio), suffix="convex")
     low = 30 if ratio <= 1 else 45
-    case = CASE.format(template=template, seed=seed, count=COUNTS[ratio], divisor=20 if ratio > 0.25 else 10, batch=COUNTS[ratio] // 16, low=low, high=low + 30)
+    case = RAIN.format(template=template, seed=seed, end=1.1, divisor=20 if ratio > 0.25 else 10, count=COUNTS[ratio],
+                       batch=COUNTS[ratio] // 16, every=40, radius=R, inner=R - 4, low=low, high=low + 30, frames=100)
     return Run(f"convex_{shape}_{ratio}_{seed}", case, "--threads", "1", reuse=reuse)
 
 
@@ -151,8 +115,8 @@ def main():
 Bodies {D:g} mm wide and 0.25 to 3 times as high rain into a cylinder of radius {R:g} mm, sixteen batches 40 ms apart, with the contact
 parameters of [GC] Table 7: k_n = 1e4 N/m, e_n = 0.8, e_t = 0.6, friction 0.1; density, which the paper does not give, 2500 kg/m^3; the
 time step is the automatic one, t_c / 50, and twice that for aspect ratio 0.25. The paper froze its batches once they lay still; here all
-bodies move to the end. Aspect ratio 0.25: plates, coins and lenses; 3: rods and cigars. Solid fractions by 60 000 points between one width above the bottom and one width below
-the mean surface, by the formulas of the sharp shapes and not by the program's own queries.""")
+bodies move to the end. Aspect ratio 0.25: plates, coins and lenses; 3: rods and cigars. Solid fractions by 60 000 points between one
+width above the bottom and one width below the mean surface, by the formulas of the sharp shapes and not by the program's own queries.""")
 
     rows, solid = [], {}
     for shape in SHAPES:

@@ -5,48 +5,8 @@ import sys
 
 import numpy as np
 
-from packing import arguments
+from packing import GRAINS, RAIN, arguments
 from validation import Page, Run, plt, shapegen
-
-# What grains and vessel are, in the run that makes a bed and in the one that looks at it.
-GRAINS = """
-[material.grain]
-density = 2500
-youngs_modulus = 50 MPa
-poissons_ratio = 0.3
-[wall.vessel]
-shape = cylinder
-point = 0 0 0
-radius = {radius} mm
-material = grain
-"""
-
-CASE = GRAINS + """
-[run]
-end_time = 4 s
-stop = at_rest
-seed = {seed}
-[contact]
-model = linear
-normal_stiffness = 1e4
-restitution = 0.8
-tangential_restitution = 0.6
-friction = 0.1
-[particles.grains]
-template = {template}
-material = grain
-count = {count}
-insert = batches
-region = cylinder 0 0 {low} mm  0 0 {high} mm  {inner} mm
-batch = {batch}
-every = 60 ms
-[output]
-frames_every = 20 ms
-history_every = 5 ms
-[measure.height]
-kind = fill_height
-every = 20 ms
-"""
 
 SAND = {"count": 500, "radius": 25, "inner": 24, "low": 50, "high": 75, "batch": 40}
 CHIPS = {"count": 300, "radius": 10, "inner": 9.8, "low": 60, "high": 100, "batch": 30}
@@ -58,7 +18,7 @@ PACKINGS = {"sand_sphere": (("sand",), SAND, 0.546), "sand_ellipsoid": (("sand",
 def pack(name, seed, reuse):
     kind, vessel, _ = PACKINGS[name]
     template = shapegen(f"granular_{name}_{seed}", "generate", *kind, "--count", str(vessel["count"]), "--seed", str(seed))
-    return Run(f"granular_{name}_{seed}", CASE.format(template=template, seed=seed, **vessel), "--threads", "1", reuse=reuse)
+    return Run(f"granular_{name}_{seed}", RAIN.format(template=template, seed=seed, end=4, divisor=20, every=60, frames=20, **vessel), "--threads", "1", reuse=reuse)
 
 
 LOOK = GRAINS + """

@@ -10,6 +10,46 @@ from validation import ROOT, Page, Run, plt
 
 MEASURES = {"highest point": "height_highest", "mean of the ten highest": "height_top_ten",
             "mean surface seen from above": "height_surface"}
+# What grains and vessel of [GC] are, in the run that makes a bed and in one that looks at it.
+GRAINS = """
+[material.grain]
+density = 2500
+youngs_modulus = 50 MPa
+poissons_ratio = 0.3
+[wall.vessel]
+shape = cylinder
+point = 0 0 0
+radius = {radius} mm
+material = grain
+"""
+# Batches that rain into the vessel, with the contact parameters of [GC] Table 7.
+RAIN = GRAINS + """
+[run]
+end_time = {end} s
+stop = at_rest
+time_step_divisor = {divisor}
+seed = {seed}
+[contact]
+model = linear
+normal_stiffness = 1e4
+restitution = 0.8
+tangential_restitution = 0.6
+friction = 0.1
+[particles.grains]
+template = {template}
+material = grain
+count = {count}
+insert = batches
+region = cylinder 0 0 {low} mm  0 0 {high} mm  {inner} mm
+batch = {batch}
+every = {every} ms
+[output]
+frames_every = {frames} ms
+history_every = 5 ms
+[measure.height]
+kind = fill_height
+every = 20 ms
+"""
 AUTO = ("run.time_step=auto",)
 
 
