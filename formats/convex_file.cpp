@@ -157,16 +157,17 @@ std::vector<Vec3> sharp_points(const ConvexSolid& solid) {
     return points;
 }
 
+/// `rounding_place`: of what asks for the rounding, for messages; none: nothing does.
 ConvexSolid rounded(const ProfileText& text, const NamedConvex& shape,
-                    const std::optional<Rounding>& wanted) {
+                    const std::optional<Rounding>& wanted,
+                    const std::optional<std::string>& rounding_place) {
     const Parameters parameters(text);
-    // What the shape itself refuses is about the line of `shape`, or of `rounding` afterwards.
+    // What the shape itself refuses is about the line of `shape`, or about the rounding afterwards.
     std::string place = text.place(text.settings.find("shape")->second.line);
     try {
         ConvexSolid sharp = shape.make(parameters, 0.0);
         if (!shape.has_edges) return sharp;
-        if (const auto line = text.settings.find("rounding"); line != text.settings.end())
-            place = text.place(line->second.line);
+        if (rounding_place) place = *rounding_place;
         const double volume = sharp.mass_properties.volume;
         ConvexSolid solid = shape.make(
             parameters, wanted ? wanted->radius(volume) : default_rounding(sharp.shape, volume));
@@ -198,7 +199,11 @@ ConvexFile convex(std::string_view bytes, const ProfileText& text, const NamedCo
                     in_quotes(text.statements.front().text) +
                         " found, expected only parameters of shape '" + shape.name + "'");
     ConvexFile file;
-    file.solid = rounded(text, shape, wanted_rounding(text, shape, rounding));
+    std::optional<std::string> place;
+    if (const auto setting = text.settings.find("rounding"); setting != text.settings.end())
+        place = text.place(setting->second.line);
+    if (rounding) place = "--rounding";
+    file.solid = rounded(text, shape, wanted_rounding(text, shape, rounding), place);
     file.name = std::filesystem::path(text.path).stem().string();
     StateHash hash;
     hash.add(std::span<const char>(bytes));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/template_summary.hpp"
 
+#include "common/format.hpp"
 #include "formats/certificate_text.hpp"
 #include "formats/template_header.hpp"
 
@@ -92,16 +93,10 @@ Json json_of(const ParticleTemplate& shape) {
             {"certificate", certificate_json(shape.certificate)}};
 }
 
-/// printf into a string.
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-    std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, pattern, values...)), ' ');
-    std::snprintf(text.data(), text.size() + 1, pattern, values...);
-    return text;
-}
-
 std::string core_text(const ConvexShape& shape) {
-    const std::string rounding = format(", and all within %.6g mm of it\n", 1e3 * shape.rounding);
+    const std::string rounding =
+        shape.rounding > 0.0 ? format(", and all within %.6g mm of it\n", 1e3 * shape.rounding)
+                             : std::string("\n");
     switch (shape.core) {
         case ConvexShape::Core::ellipsoid:
             return "  core              ellipsoid" + rounding;

@@ -3,6 +3,7 @@
 
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
+#include "common/format.hpp"
 #include "common/progress.hpp"
 #include "formats/clump_export.hpp"
 #include "formats/profile_file.hpp"
@@ -13,7 +14,6 @@
 #include "shapegen/picture/convergence_plot.hpp"
 #include "shapegen/pipeline/export.hpp"
 #include "shapegen/pipeline/generate.hpp"
-#include "shapegen/pipeline/line.hpp"
 
 #include <array>
 #include <chrono>
@@ -155,13 +155,13 @@ void run(const GenerateCommand& command, std::ostream& out) {
     const LibrarySummary made = generate_library(request, command.output);
     if (command.is_quiet) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    out << line(
-        "%s: %llu shapes of %.1f vertices on average, volumes %.4g to %.4g m^3, mean "
+    out << format(
+        "%s: %llu shapes of %.1f vertices on average, volumes %.4g to %.4g mm^3, mean "
         "%.4g\n  %llu slivers that the rounding does not fit drawn again\n"
         "  rounded bodies within %.2g d_eq of their polyhedra, of equal volume\n"
         "  %.0f KB in %.2f s\n",
         command.output.string().c_str(), static_cast<unsigned long long>(command.count),
-        made.mean_vertices, made.smallest, made.largest, made.mean,
+        made.mean_vertices, 1e9 * made.smallest, 1e9 * made.largest, 1e9 * made.mean,
         static_cast<unsigned long long>(made.redrawn), made.surface_deviation,
         1e-3 * static_cast<double>(std::filesystem::file_size(command.output)), seconds.count());
 }

@@ -77,7 +77,8 @@ ConvexShape round_core(Core core, const Vec3& size, double low, double rounding)
 
 ConvexSolid solid(ConvexShape shape, double sharp_volume) {
     ConvexSolid result = with_mass_properties(std::move(shape));
-    result.rounding_loss = 1.0 - result.mass_properties.volume / sharp_volume;
+    if (result.shape.rounding > 0.0)
+        result.rounding_loss = 1.0 - result.mass_properties.volume / sharp_volume;
     return result;
 }
 

@@ -2,9 +2,9 @@
 #include "shapegen/pipeline/cook_clump.hpp"
 
 #include "common/error.hpp"
+#include "common/format.hpp"
 #include "shapegen/certificate/clump_certificate.hpp"
 #include "shapegen/clump/mass_balance.hpp"
-#include "shapegen/pipeline/line.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -29,22 +29,22 @@ std::vector<std::string> remarks(const ClumpGoal& goal, const BuiltClump& clump,
     std::vector<std::string> lines;
     if (clump.balls.size() < goal.count)
         lines.push_back(
-            line("room for %zu of %zu spheres: more voxels (--resolution) or smaller "
-                 "spheres (--min-radius) may give more",
-                 clump.balls.size(), goal.count));
+            format("room for %zu of %zu spheres: more voxels (--resolution) or smaller "
+                   "spheres (--min-radius) may give more",
+                   clump.balls.size(), goal.count));
     constexpr double poor = 0.7;
     if (clump.quality.coverage < poor)
         lines.push_back(
-            line("the spheres cover no more than %.3g %% of the body: it takes more of "
-                 "them, or more voxels (--resolution)",
-                 100.0 * clump.quality.coverage));
+            format("the spheres cover no more than %.3g %% of the body: it takes more of "
+                   "them, or more voxels (--resolution)",
+                   100.0 * clump.quality.coverage));
     double sum = 0.0;
     for (const double share : masses.shares) sum += share;
     const auto empty = std::count_if(masses.shares.begin(), masses.shares.end(),
                                      [sum](double share) { return share <= 1e-9 * sum; });
     if (empty > 0)
         lines.push_back(
-            line("%td of %zu spheres have no mass in exports", empty, masses.shares.size()));
+            format("%td of %zu spheres have no mass in exports", empty, masses.shares.size()));
     return lines;
 }
 

@@ -2,13 +2,13 @@
 #include "shapegen/pipeline/cook_convex.hpp"
 
 #include "common/error.hpp"
+#include "common/format.hpp"
 #include "common/shapes/convex_moments.hpp"
 #include "common/state_hash.hpp"
 #include "formats/memory_map.hpp"
 #include "shapegen/convex/convex_display.hpp"
 #include "shapegen/convex/fewer_vertices.hpp"
 #include "shapegen/import/mesh_file.hpp"
-#include "shapegen/pipeline/line.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -44,9 +44,9 @@ void finish(CookedConvex& cooked, ConvexSolid solid, std::string name, Certifica
     cooked.shape.display_mesh = std::move(display);
     if (rounding > 0.0 && retreat > 0.0)
         cooked.lines.push_back(
-            line("rounded with a radius of %.4g mm, which takes %.2g %% of the volume and moves "
-                 "corners in by %.3g mm at most",
-                 1e3 * rounding, 1e2 * loss, 1e3 * retreat));
+            format("rounded with a radius of %.4g mm, which takes %.2g %% of the volume and moves "
+                   "corners in by %.3g mm at most",
+                   1e3 * rounding, 1e2 * loss, 1e3 * retreat));
 }
 
 CookedConvex cook_file(const std::filesystem::path& path, const ConvexRequest& request) {
@@ -83,22 +83,22 @@ CookedConvex cook_mesh(const std::filesystem::path& path, const ConvexRequest& r
         with_fewer_vertices(core, request.vertices.value_or(core.vertices.size()));
 
     ConvexSolid solid = with_mass_properties(rounded_around(fewer.solid, rounding));
-    solid.rounding_loss = 1.0 - rounded_volume / volume;
+    if (rounding > 0.0) solid.rounding_loss = 1.0 - rounded_volume / volume;
     solid.corner_retreat = farthest_outside(solid, hull.vertices);
     solid.mass_properties.center_of_mass += center;
     const double d_eq = solid.shape.equivalent_diameter;
     const double excess = volume / enclosed_volume(loaded.mesh) - 1.0;
     const double loss = 1.0 - solid.mass_properties.volume / rounded_volume;
     cooked.lines.push_back(
-        line("hull of %zu vertices and %zu faces, which adds %.3g %% to the "
-             "volume of the mesh",
-             hull.vertices.size(), hull.faces.size(), 1e2 * excess));
+        format("hull of %zu vertices and %zu faces, which adds %.3g %% to the "
+               "volume of the mesh",
+               hull.vertices.size(), hull.faces.size(), 1e2 * excess));
     if (fewer.solid.vertices.size() < core.vertices.size())
         cooked.lines.push_back(
-            line("core of %zu of %zu vertices: at most %.3g %% of d_eq inside "
-                 "the full one, %.3g %% less volume",
-                 fewer.solid.vertices.size(), core.vertices.size(), 1e2 * fewer.error_max / d_eq,
-                 1e2 * loss));
+            format("core of %zu of %zu vertices: at most %.3g %% of d_eq inside "
+                   "the full one, %.3g %% less volume",
+                   fewer.solid.vertices.size(), core.vertices.size(), 1e2 * fewer.error_max / d_eq,
+                   1e2 * loss));
     finish(
         cooked, std::move(solid), path.stem().string(),
         {{"hull_excess", excess}, {"hull_error_max", fewer.error_max / d_eq}, {"hull_loss", loss}});

@@ -35,10 +35,11 @@ bool is_convex_file(const std::filesystem::path& path);
 /// volumes in units of what they are compared with:
 ///   rounding               radius of the sphere around the core
 ///   rounding_loss          of the sharp body's volume
-///   corner_retreat         of the farthest corner of the sharp body from the rounded one, over
-///   d_eq hull_excess            volume that the hull adds to the mesh (meshes) hull_error_max
-///   distance of the farthest vertex left out (meshes) hull_loss              volume that goes with
-///   the vertices left out (meshes) display_mesh_error_max of the display mesh
+///   corner_retreat         distance of the rounded body from the sharpest corner
+///   hull_excess            volume that the hull adds to the mesh (meshes)
+///   hull_error_max         distance of the farthest vertex left out (meshes)
+///   hull_loss              volume that goes with the vertices left out (meshes)
+///   display_mesh_error_max of the display mesh
 /// Throws Error that begins with the path.
 CookedConvex cook_convex(const std::filesystem::path& path, const ConvexRequest& request,
                          const MeshLoadOptions& mesh);

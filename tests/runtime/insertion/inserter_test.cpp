@@ -260,7 +260,10 @@ TEST_F(InsertFile, ARowThatOverlapsIsNamed) {
               path_ +
                   ":3: the body overlaps the body of line 2, expected free places (or 'overlaps "
                   "= allow')");
-    EXPECT_EQ(message("x,z\n0,0.15\n0.021,0.15\n"), path_ + ":3: the body overlaps wall 'vessel'");
+    EXPECT_EQ(message("x,z\n0,0.15\n0.021,0.15\n"),
+              path_ +
+                  ":3: the body overlaps wall 'vessel', expected free places (or 'overlaps = "
+                  "allow')");
     EXPECT_EQ(message("x,z\n0,0.15\n0.0099,0.15\n", "overlaps = allow\n"), "fine");
 }
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <cstdio>
@@ -6,9 +6,9 @@
 
 namespace dem {
 
-/// A line for the user: printf into a string of whatever length.
+/// printf into a string of whatever length.
 template <class... Values>
-std::string line(const char* pattern, Values... values) {
+std::string format(const char* pattern, Values... values) {
     std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, pattern, values...)), ' ');
     std::snprintf(text.data(), text.size() + 1, pattern, values...);
     return text;
