@@ -177,28 +177,62 @@ const schema::TemplateFile& verified_root(std::span<const std::byte> payload,
 
 }  // namespace
 
-TemplateFile read_template(const std::shared_ptr<const void>& owner,
-                           std::span<const std::byte> bytes, const std::string& where) {
-    const schema::TemplateFile& root = verified_root(template_payload(bytes, where), where);
-    if (root.shapes()->size() == 0) {
-        throw Error(where, "holds no shape, expected at least one; make it again");
-    }
-    TemplateFile result;
-    result.command = root.command()->str();
-    result.input_hash = root.input_hash();
-    result.shapegen_version = root.shapegen_version()->str();
-    result.shapes.reserve(root.shapes()->size());
-    for (const schema::Shape* shape : *root.shapes()) {
-        const std::string place = shape_place(where, result.shapes.size(), shape->name()->str());
-        result.shapes.push_back(Decoder(owner, place).decode(*shape));
-        check_template(result.shapes.back(), place);
-    }
+TemplateLibrary::TemplateLibrary(std::shared_ptr<const void> owner,
+                                 std::span<const std::byte> bytes, std::string where)
+    : owner_(std::move(owner)),
+      where_(std::move(where)),
+      root_(&verified_root(template_payload(bytes, where_), where_)) {
+    if (size() == 0) throw Error(where_, "holds no shape, expected at least one; make it again");
+}
+
+TemplateLibrary::TemplateLibrary(const std::filesystem::path& path)
+    : TemplateLibrary(std::make_shared<const MemoryMap>(path), path.string()) {}
+
+TemplateLibrary::TemplateLibrary(const std::shared_ptr<const MemoryMap>& map, std::string where)
+    : TemplateLibrary(map, map->bytes(), std::move(where)) {}
+
+std::size_t TemplateLibrary::size() const {
+    return root_->shapes()->size();
+}
+
+std::string TemplateLibrary::name(std::size_t index) const {
+    return root_->shapes()->Get(static_cast<flatbuffers::uoffset_t>(index))->name()->str();
+}
+
+ParticleTemplate TemplateLibrary::shape(std::size_t index) const {
+    const std::string place = shape_place(where_, index, name(index));
+    const schema::Shape& shape = *root_->shapes()->Get(static_cast<flatbuffers::uoffset_t>(index));
+    ParticleTemplate result = Decoder(owner_, place).decode(shape);
+    check_template(result, place);
     return result;
 }
 
+TemplateFile TemplateLibrary::head() const {
+    TemplateFile result;
+    result.command = root_->command()->str();
+    result.input_hash = root_->input_hash();
+    result.shapegen_version = root_->shapegen_version()->str();
+    return result;
+}
+
+namespace {
+
+TemplateFile all_of(const TemplateLibrary& library) {
+    TemplateFile result = library.head();
+    result.shapes.reserve(library.size());
+    for (std::size_t k = 0; k < library.size(); ++k) result.shapes.push_back(library.shape(k));
+    return result;
+}
+
+}  // namespace
+
+TemplateFile read_template(const std::shared_ptr<const void>& owner,
+                           std::span<const std::byte> bytes, const std::string& where) {
+    return all_of(TemplateLibrary(owner, bytes, where));
+}
+
 TemplateFile read_template(const std::filesystem::path& path) {
-    const auto map = std::make_shared<const MemoryMap>(path);
-    return read_template(map, map->bytes(), path.string());
+    return all_of(TemplateLibrary(path));
 }
 
 }  // namespace dem

@@ -73,7 +73,8 @@ struct InsertionGroup {
     std::string name;
     std::string where;  ///< "case.ini:31", for messages
     Mode mode = Mode::at_once;
-    std::vector<std::uint32_t> kinds;  ///< particle k of the group is of kind kinds[k % size]
+    /// Particle k of the group is of kind kinds[k % size]; with a table the rows say which.
+    std::vector<std::uint32_t> kinds;
     std::uint64_t count = 0;
     Region region = BoxRegion{};
     std::uint64_t batch = 1;          ///< batches: how many at a time

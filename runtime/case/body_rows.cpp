@@ -2,7 +2,6 @@
 #include "runtime/case/body_rows.hpp"
 
 #include "common/error.hpp"
-#include "formats/body_table.hpp"
 
 #include <algorithm>
 #include <string>
@@ -31,24 +30,10 @@ std::vector<BodyRow> rows_of_group(std::vector<BodyRow> rows, const std::string&
     return rows;
 }
 
-std::uint32_t kind_of_row(const BodyRow& row, std::size_t k, const Scene& scene,
-                          const InsertionGroup& group) {
-    if (row.template_name.empty()) return group.kinds[k % group.kinds.size()];
-    std::vector<std::string> known;
-    for (const std::uint32_t kind : group.kinds) {
-        const std::string& name = scene.shapes[scene.kinds[kind].shape].name;
-        if (name == row.template_name) return kind;
-        known.push_back(name);
-    }
-    throw Error(group.file + ":" + std::to_string(row.line),
-                "template '" + row.template_name + "' is none of [particles." + group.name + "]" +
-                    suggestion(row.template_name, known));
-}
-
 }  // namespace
 
-void read_body_rows(const Values& values, const std::filesystem::path& folder, const Scene& scene,
-                    InsertionGroup& group) {
+std::vector<BodyRow> read_body_rows(const Values& values, const std::filesystem::path& folder,
+                                    InsertionGroup& group) {
     group.file = (folder / values.text("file")).lexically_normal().string();
     group.allow_overlaps = values.word("overlaps") == "allow";
     if (!std::filesystem::exists(group.file)) {
@@ -66,6 +51,10 @@ void read_body_rows(const Values& values, const std::filesystem::path& folder, c
                     "positions lose the digits that contacts need");
     }
     group.count = rows.size();
+    return rows;
+}
+
+void place_rows(const std::vector<BodyRow>& rows, InsertionGroup& group) {
     group.placements.reserve(rows.size());
     for (const BodyRow& row : rows) {
         BodyPlacement body;
@@ -73,10 +62,12 @@ void read_body_rows(const Values& values, const std::filesystem::path& folder, c
         body.orientation = row.orientation;
         body.velocity = row.velocity;
         body.angular_velocity = row.angular_velocity;
-        body.kind = kind_of_row(row, group.placements.size(), scene, group);
+        body.kind = group.kinds[group.placements.size() % group.kinds.size()];
         body.line = row.line;
         group.placements.push_back(body);
     }
+    std::sort(group.kinds.begin(), group.kinds.end());
+    group.kinds.erase(std::unique(group.kinds.begin(), group.kinds.end()), group.kinds.end());
 }
 
 }  // namespace dem

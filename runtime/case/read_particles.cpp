@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/error.hpp"
-#include "formats/template_reader.hpp"
 #include "runtime/case/body_rows.hpp"
 #include "runtime/case/scene_sections.hpp"
-#include "runtime/case/sphere_template.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
 
 namespace dem {
 
 namespace {
-
-std::vector<std::string> shape_names(const std::vector<std::uint32_t>& shapes, const Scene& scene) {
-    std::vector<std::string> names;
-    names.reserve(shapes.size());
-    for (const std::uint32_t s : shapes) names.push_back(scene.shapes[s].name);
-    return names;
-}
 
 /// A fixed body with a velocity would be a contradiction, not a moving wall.
 void check_standing(const Values& values, const InsertionGroup& group) {
@@ -31,37 +26,46 @@ void check_standing(const Values& values, const InsertionGroup& group) {
     }
 }
 
+/// Which shapes of the library the bodies of a group take: body k the k-th of these, in turn. Rows
+/// may name theirs.
+std::vector<std::size_t> taken_shapes(const Values& values, const std::vector<BodyRow>& rows,
+                                      const InsertionGroup& group, ShapeLibrary& library) {
+    std::vector<std::size_t> all;
+    if (values.has("shape")) {
+        const std::string wanted = values.text("shape");
+        const auto found = library.find(wanted);
+        if (!found)
+            throw Error(values.where("shape"), "no shape '" + wanted + "' in " +
+                                                   values.text("template") +
+                                                   library.suggestion_for(wanted));
+        all = {*found};
+    } else {
+        all.resize(std::min<std::uint64_t>(group.count, library.size()));
+        std::iota(all.begin(), all.end(), std::size_t{0});
+    }
+    const bool names_shapes = std::any_of(
+        rows.begin(), rows.end(), [](const BodyRow& row) { return !row.template_name.empty(); });
+    if (!names_shapes) return all;
+    std::vector<std::size_t> of_rows;
+    of_rows.reserve(rows.size());
+    for (const BodyRow& row : rows) {
+        std::size_t shape = all[of_rows.size() % all.size()];
+        if (!row.template_name.empty()) {
+            const auto found = library.find(row.template_name);
+            if (!found || (values.has("shape") && *found != all.front()))
+                throw Error(group.file + ":" + std::to_string(row.line),
+                            "template '" + row.template_name + "' is none of [particles." +
+                                group.name + "]" + library.suggestion_for(row.template_name));
+            shape = *found;
+        }
+        of_rows.push_back(shape);
+    }
+    return of_rows;
+}
+
 }  // namespace
 
-const ParticleGroupReader::Shapes& ParticleGroupReader::template_shapes(const Values& values,
-                                                                        Scene& scene) {
-    const std::string path = (folder_ / values.text("template")).lexically_normal().string();
-    const auto [entry, is_new] = templates_.try_emplace(path);
-    if (!is_new) return entry->second;
-    TemplateFile file;
-    try {
-        file = read_template(path);
-    } catch (const Error& error) {
-        throw Error(values.where("template"), error.what());
-    }
-    scene.inputs.emplace_back(values.text("template"), file.input_hash);
-    for (ParticleTemplate& shape : file.shapes) {
-        entry->second.push_back(static_cast<std::uint32_t>(scene.shapes.size()));
-        scene.shapes.push_back(std::move(shape));
-    }
-    return entry->second;
-}
-
-const ParticleGroupReader::Shapes& ParticleGroupReader::sphere(double radius, Scene& scene) {
-    const auto [entry, is_new] = spheres_.try_emplace(radius);
-    if (is_new) {
-        entry->second.push_back(static_cast<std::uint32_t>(scene.shapes.size()));
-        scene.shapes.push_back(sphere_template(radius));
-    }
-    return entry->second;
-}
-
-ParticleGroupReader::Shapes ParticleGroupReader::shapes_of(const Values& values, Scene& scene) {
+ShapeLibrary& ParticleGroupReader::library(const Values& values, Scene& scene) {
     if (values.has("radius") == values.has("template")) {
         throw Error(values.has("radius") ? values.where("radius") : values.section_where(),
                     std::string(values.has("radius") ? "both template and radius"
@@ -73,16 +77,18 @@ ParticleGroupReader::Shapes ParticleGroupReader::shapes_of(const Values& values,
             throw Error(values.where("shape"),
                         "found beside 'radius', expected it with 'template'");
         }
-        return sphere(values.number("radius"), scene);
+        const double radius = values.number("radius");
+        return spheres_.try_emplace(radius, radius).first->second;
     }
-    const Shapes& all = template_shapes(values, scene);
-    if (!values.has("shape")) return all;
-    const std::string wanted = values.text("shape");
-    for (const std::uint32_t s : all) {
-        if (scene.shapes[s].name == wanted) return {s};
+    const std::string path = (folder_ / values.text("template")).lexically_normal().string();
+    if (const auto known = templates_.find(path); known != templates_.end()) return known->second;
+    try {
+        ShapeLibrary& library = templates_.try_emplace(path, path).first->second;
+        scene.inputs.emplace_back(values.text("template"), library.input_hash());
+        return library;
+    } catch (const Error& error) {
+        throw Error(values.where("template"), error.what());
     }
-    throw Error(values.where("shape"), "no shape '" + wanted + "' in " + values.text("template") +
-                                           suggestion(wanted, shape_names(all, scene)));
 }
 
 std::uint32_t ParticleGroupReader::kind_of(const BodyKind& wanted, bool is_fixed, Scene& scene) {
@@ -114,13 +120,11 @@ void ParticleGroupReader::read(const Values& values, Scene& scene) {
         throw Error(values.where("material"), "material '" + values.text("material") +
                                                   "' has no density, particles need one");
     }
-    for (const std::uint32_t shape : shapes_of(values, scene)) {
-        kind.shape = shape;
-        group.kinds.push_back(kind_of(kind, values.yes_no("fixed"), scene));
-    }
     group.start = values.number("start");
+    ShapeLibrary& shapes = library(values, scene);
+    std::vector<BodyRow> rows;
     if (group.mode == InsertionGroup::Mode::file) {
-        read_body_rows(values, folder_, scene, group);
+        rows = read_body_rows(values, folder_, group);
     } else {
         group.count = values.count("count");
         group.region = values.region("region");
@@ -128,7 +132,18 @@ void ParticleGroupReader::read(const Values& values, Scene& scene) {
         group.velocity = values.vector("velocity");
         group.angular_velocity = values.vector("angular_velocity");
     }
-    if (values.yes_no("fixed")) check_standing(values, group);
+    const std::vector<std::size_t> wanted = taken_shapes(values, rows, group, shapes);
+    const bool is_fixed = values.yes_no("fixed");
+    try {
+        for (const std::uint32_t shape : shapes.take(wanted, scene)) {
+            kind.shape = shape;
+            group.kinds.push_back(kind_of(kind, is_fixed, scene));
+        }
+    } catch (const Error& error) {
+        throw Error(values.where("template"), error.what());
+    }
+    if (group.mode == InsertionGroup::Mode::file) place_rows(rows, group);
+    if (is_fixed) check_standing(values, group);
     if (group.mode == InsertionGroup::Mode::batches) {
         group.batch = values.count("batch");
         group.every = values.number("every");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "runtime/case/shape_library.hpp"
 #include "runtime/case/values.hpp"
 #include "runtime/scene.hpp"
 
@@ -18,8 +19,9 @@ namespace dem {
 RunSettings read_run(const Values& values);
 Material read_material(const Values& values);
 
-/// Reads [particles.NAME] sections. Every template file is read once, and groups that use the same
-/// shape of the same material share a body kind.
+/// Reads [particles.NAME] sections. Every template file is mapped once, of a library only the
+/// shapes that bodies take are made, and groups that use the same shape of the same material share
+/// a body kind.
 class ParticleGroupReader {
   public:
     /// `folder`: of the case file, for relative paths.
@@ -27,15 +29,12 @@ class ParticleGroupReader {
     void read(const Values& values, Scene& scene);
 
   private:
-    using Shapes = std::vector<std::uint32_t>;  ///< indices into Scene::shapes
-    Shapes shapes_of(const Values& values, Scene& scene);
-    const Shapes& template_shapes(const Values& values, Scene& scene);
-    const Shapes& sphere(double radius, Scene& scene);
+    ShapeLibrary& library(const Values& values, Scene& scene);
     std::uint32_t kind_of(const BodyKind& wanted, bool is_fixed, Scene& scene);
 
     std::filesystem::path folder_;
-    std::map<std::string, Shapes> templates_;  ///< by path
-    std::map<double, Shapes> spheres_;         ///< by radius
+    std::map<std::string, ShapeLibrary> templates_;  ///< by path
+    std::map<double, ShapeLibrary> spheres_;         ///< by radius
     std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, std::uint32_t> kinds_;
 };
 

@@ -44,8 +44,13 @@ void try_insertion(const Scene& scene) {
 
 /// Mass of the first `count` bodies of a group [kg].
 double mass(const Scene& scene, const InsertionGroup& group, std::uint64_t count) {
-    const std::uint64_t cycle = group.kinds.size();
     double total = 0.0;
+    if (group.mode == InsertionGroup::Mode::file) {
+        for (std::uint64_t k = 0; k < count; ++k)
+            total += scene.kinds[group.placements[k].kind].mass;
+        return total;
+    }
+    const std::uint64_t cycle = group.kinds.size();
     for (std::uint64_t k = 0; k < cycle; ++k) {
         const std::uint64_t times = count / cycle + (k < count % cycle ? 1 : 0);
         total += static_cast<double>(times) * scene.kinds[group.kinds[k]].mass;
@@ -67,7 +72,7 @@ void describe(const Scene& scene, const InsertionGroup& group, std::ostringstrea
     if (kinds == 1) {
         out << first.name << " (" << kind_name(first) << ")";
     } else {
-        out << kinds << " shapes in turn";
+        out << kinds << (group.mode == InsertionGroup::Mode::file ? " shapes" : " shapes in turn");
     }
     out << ", " << mass(scene, group, group.count) << " kg, ";
     switch (group.mode) {

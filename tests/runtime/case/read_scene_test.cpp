@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/case/read_scene.hpp"
 
+#include "formats/template_writer.hpp"
 #include "runtime/case/region.hpp"
+#include "runtime/case/scene_summary.hpp"
 #include "runtime/case/values.hpp"
 #include "runtime/contact_law/pair_law.hpp"
+#include "tests/formats/sample_template.hpp"
 #include "tests/formats/temporary_folder.hpp"
 #include "tests/runtime/case/case_text.hpp"
 
+#include <algorithm>
 #include <fstream>
+#include <iomanip>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -252,6 +258,76 @@ TEST_F(BodyFile, ARowThatCannotBeUsedIsNamed) {
     EXPECT_NE(message("x,group\n0,a\n", "file_group = c\n").find("no row of group 'c'"),
               std::string::npos);
     EXPECT_NE(message("x\n0\n", "count = 3\n").find("key 'count' has no meaning"),
+              std::string::npos);
+}
+
+/// Balls a, b, c, d of 1 to 4 mm in a library.
+class ShapesOfALibrary : public TemporaryFolder {
+  protected:
+    ShapesOfALibrary() {
+        TemplateFile file = sample::file();
+        file.shapes.clear();
+        for (const char* name : {"a", "b", "c", "d"})
+            file.shapes.push_back(
+                sample::sphere(1e-3 * static_cast<double>(file.shapes.size() + 1), name));
+        write_template(folder_ / "balls.tpl", file);
+    }
+    std::string group(const std::string& lines) const {
+        return sphere_case("[particles.some]\nmaterial = coating\ntemplate = " +
+                           (folder_ / "balls.tpl").string() + "\n" + lines);
+    }
+    std::string table(const std::string& rows) const {
+        write("rows.csv", rows);
+        return group("insert = file\nfile = " + (folder_ / "rows.csv").string() + "\n");
+    }
+    /// Names of the shapes after the sphere of the case.
+    static std::string shapes(const Scene& scene) {
+        std::string names;
+        for (std::size_t s = 1; s < scene.shapes.size(); ++s) names += scene.shapes[s].name;
+        return names;
+    }
+    /// Names of the shapes of the first six bodies of the group.
+    static std::string bodies(const Scene& scene) {
+        const InsertionGroup& group = scene.insertions[1];
+        std::string names;
+        for (std::uint64_t k = 0; k < std::min<std::uint64_t>(group.count, 6); ++k) {
+            const std::uint32_t kind = group.mode == InsertionGroup::Mode::file
+                                           ? group.placements[k].kind
+                                           : group.kinds[k % group.kinds.size()];
+            names += scene.shapes[scene.kinds[kind].shape].name;
+        }
+        return names;
+    }
+};
+
+TEST_F(ShapesOfALibrary, AreMadeWhenABodyTakesThem) {
+    const std::string region = "region = cylinder 0 0 10 mm  0 0 100 mm  25 mm\n";
+    const Scene few = scene_of(group("count = 3\n" + region));
+    EXPECT_EQ(shapes(few), "abc");
+    EXPECT_EQ(bodies(few), "abc");
+    const Scene many = scene_of(group("count = 10\n" + region));
+    EXPECT_EQ(shapes(many), "abcd");
+    EXPECT_EQ(bodies(many), "abcdab");
+    const Scene one = scene_of(group("count = 3\nshape = d\n" + region));
+    EXPECT_EQ(shapes(one), "d");
+    EXPECT_EQ(bodies(one), "ddd");
+}
+
+TEST_F(ShapesOfALibrary, AreTakenByRowsInTurnOrByName) {
+    const Scene in_turn = scene_of(table("x\n0\n1\n"));
+    EXPECT_EQ(shapes(in_turn), "ab");
+    EXPECT_EQ(bodies(in_turn), "ab");
+    const Scene round = scene_of(table("x\n0\n1\n2\n3\n4\n5\n"));
+    EXPECT_EQ(bodies(round), "abcdab");
+    const Scene named = scene_of(table("z,template\n0.15,d\n0.17,b\n0.19,d\n"));
+    EXPECT_EQ(shapes(named), "db");
+    EXPECT_EQ(bodies(named), "dbd");
+    // The mass that `--check` states is that of the rows.
+    const double mass = 1000.0 * 4.0 / 3.0 * pi * (2.0 * cube(4e-3) + cube(2e-3));
+    std::ostringstream words;
+    words << std::setprecision(4) << "some: 3 x 2 shapes, " << mass << " kg";
+    EXPECT_NE(check_scene(named).find(words.str()), std::string::npos) << check_scene(named);
+    EXPECT_NE(case_message(table("x,template\n0,e\n")).find(":2: template 'e' is none of"),
               std::string::npos);
 }
 

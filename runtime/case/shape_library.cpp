@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runtime/case/shape_library.hpp"
+
+#include "common/error.hpp"
+#include "runtime/case/sphere_template.hpp"
+#include "runtime/case/values.hpp"
+
+#include <exception>
+#include <limits>
+
+namespace dem {
+
+namespace {
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+}  // namespace
+
+ShapeLibrary::ShapeLibrary(const std::string& path)
+    : file_(path), input_hash_(file_->head().input_hash), in_scene_(file_->size(), none) {}
+
+ShapeLibrary::ShapeLibrary(double radius) : radius_(radius), in_scene_(1, none) {}
+
+std::string ShapeLibrary::name(std::size_t index) const {
+    return file_ ? file_->name(index) : std::string("sphere");
+}
+
+ParticleTemplate ShapeLibrary::make(std::size_t index) const {
+    return file_ ? file_->shape(index) : sphere_template(radius_);
+}
+
+std::optional<std::size_t> ShapeLibrary::find(const std::string& name) {
+    if (by_name_.empty())
+        for (std::size_t k = 0; k < size(); ++k) by_name_.emplace(this->name(k), k);
+    const auto entry = by_name_.find(name);
+    if (entry == by_name_.end()) return std::nullopt;
+    return entry->second;
+}
+
+std::string ShapeLibrary::suggestion_for(const std::string& name) const {
+    std::vector<std::string> known;
+    for (std::size_t k = 0; k < size(); ++k) known.push_back(this->name(k));
+    return suggestion(name, known);
+}
+
+std::vector<std::uint32_t> ShapeLibrary::take(std::span<const std::size_t> indices, Scene& scene) {
+    const std::size_t first = scene.shapes.size();
+    std::vector<std::size_t> fresh;
+    for (const std::size_t index : indices) {
+        if (in_scene_[index] != none) continue;
+        in_scene_[index] = static_cast<std::uint32_t>(first + fresh.size());
+        fresh.push_back(index);
+    }
+    scene.shapes.resize(first + fresh.size());
+    std::vector<std::exception_ptr> errors(fresh.size());
+#pragma omp parallel for schedule(dynamic, 16)
+    for (std::size_t k = 0; k < fresh.size(); ++k) {
+        try {
+            scene.shapes[first + k] = make(fresh[k]);
+        } catch (...) {
+            errors[k] = std::current_exception();
+        }
+    }
+    for (const std::exception_ptr& error : errors)
+        if (error) std::rethrow_exception(error);
+    std::vector<std::uint32_t> places;
+    places.reserve(indices.size());
+    for (const std::size_t index : indices) places.push_back(in_scene_[index]);
+    return places;
+}
+
+}  // namespace dem
