@@ -19,12 +19,20 @@ int fail(const std::exception& error, int code) {
     return code;
 }
 
+/// False after nohup, and for Ctrl-C in what a script started in the background.
+bool is_heeded(int signal) {
+    struct sigaction action {};
+    return sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_IGN;
+}
+
 /// Who interrupts the program leaves nothing half written. A thread waits for that, so that what it
-/// does is not bound to what a signal handler may do.
+/// does is not bound to what a signal handler may do. A signal that is to be ignored must not be
+/// waited for: blocked, it would arrive.
 void clean_up_when_interrupted() {
     sigset_t signals;
     sigemptyset(&signals);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals, signal);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (is_heeded(signal)) sigaddset(&signals, signal);
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // in all threads that are made from now on
     std::thread([signals] {
         int signal = 0;

@@ -208,6 +208,14 @@ TEST_F(ShapegenCli, LeavesNothingBehindWhenItIsInterrupted) {
     EXPECT_TRUE(files().empty());
 }
 
+TEST_F(ShapegenCli, KeepsOnWhenASignalIsIgnored) {
+    const Result result =
+        run("'" DEM_SOURCE_DIR "/data/meshes/bunny.ply' --clump-spheres 20 -o bunny.tpl",
+            "sh -c 'trap \"\" HUP; (sleep 0.1; kill -HUP $$) & exec \"$@\"' sh");
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(files(), std::set<std::string>{"bunny.tpl"});
+}
+
 TEST_F(ShapegenCli, FailsWhenStandardOutputIsFull) {
     const Result result = run("--help", "", ">/dev/full");
     EXPECT_EQ(result.code, 1);
