@@ -3,6 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
+#include "shapegen/option_values.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -13,14 +14,9 @@ namespace dem {
 namespace {
 
 namespace po = boost::program_options;
-using Text = po::typed_value<std::string>;
 
 constexpr std::int64_t fewest_voxels = 10;
 constexpr std::int64_t most_voxels = 500;
-
-Text* text(const char* name) {
-    return po::value<std::string>()->value_name(name);
-}
 
 bool has(const po::variables_map& values, const std::string& option) {
     return values.count(option) != 0 && !values[option].defaulted();
@@ -49,15 +45,6 @@ double fraction_option(const po::variables_map& values, const std::string& optio
     if (!value || !(*value > above && *value < below))
         throw UsageError("--" + option, "found '" + words + "', expected " + expected);
     return *value;
-}
-
-std::int64_t whole_number(const po::variables_map& values, const std::string& option,
-                          std::int64_t least, std::int64_t most) {
-    const auto found = values[option].as<std::int64_t>();
-    if (found < least || found > most)
-        throw UsageError("--" + option, "found " + std::to_string(found) + ", expected " +
-                                            std::to_string(least) + " to " + std::to_string(most));
-    return found;
 }
 
 ClumpGoal read_goal(const po::variables_map& values) {

@@ -4,29 +4,16 @@
 #include "common/error.hpp"
 #include "common/units.hpp"
 #include "shapegen/import/mesh_file.hpp"
+#include "shapegen/option_values.hpp"
 
 namespace dem {
 
 namespace {
 
 namespace po = boost::program_options;
-using Text = po::typed_value<std::string>;
 
 constexpr std::int64_t most_vertices = 100'000;
 constexpr std::int64_t most_grains = 1'000'000'000;
-
-Text* text(const char* name) {
-    return po::value<std::string>()->value_name(name);
-}
-
-std::int64_t whole_number(const po::variables_map& values, const std::string& option,
-                          std::int64_t least, std::int64_t most) {
-    const auto found = values[option].as<std::int64_t>();
-    if (found < least || found > most)
-        throw UsageError("--" + option, "found " + std::to_string(found) + ", expected " +
-                                            std::to_string(least) + " to " + std::to_string(most));
-    return found;
-}
 
 std::optional<Rounding> read_rounding(const po::variables_map& values) {
     if (values.count("rounding") == 0) return std::nullopt;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapegen/option_values.hpp"
+
+#include "common/error.hpp"
+
+namespace dem {
+
+namespace po = boost::program_options;
+
+po::typed_value<std::string>* text(const char* name) {
+    return po::value<std::string>()->value_name(name);
+}
+
+std::int64_t whole_number(const po::variables_map& values, const std::string& option,
+                          std::int64_t least, std::int64_t most) {
+    const auto found = values[option].as<std::int64_t>();
+    if (found < least || found > most)
+        throw UsageError("--" + option, "found " + std::to_string(found) + ", expected " +
+                                            std::to_string(least) + " to " + std::to_string(most));
+    return found;
+}
+
+}  // namespace dem

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <boost/program_options.hpp>
+
+namespace dem {
+
+/// An option with a text; `name` stands for it in the help.
+boost::program_options::typed_value<std::string>* text(const char* name);
+
+/// The value of a whole-number option. Throws UsageError where it is out of range.
+std::int64_t whole_number(const boost::program_options::variables_map& values,
+                          const std::string& option, std::int64_t least, std::int64_t most);
+
+}  // namespace dem
