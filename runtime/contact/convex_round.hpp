@@ -15,10 +15,12 @@ struct PlacedCap {
     Vec3 across;      ///< unit, normal to the axis, fixed to the body
 
     CorePoint support(const Vec3& direction, std::uint32_t /*start*/) const {
-        const Vec3 sideways = direction - direction.dot(axis) * axis;
+        Vec3 sideways = direction - direction.dot(axis) * axis;
         const double length = sideways.norm();
         // Along the axis to rounding: all points of the disc are as far.
         if (length <= 1e-12 * direction.norm()) return {center};
+        // What rounding has left along the axis would lift the point out of the disc.
+        sideways -= sideways.dot(axis) * axis;
         return {center + (radius / length) * sideways};
     }
 

@@ -199,6 +199,20 @@ TEST(ConvexContact, ALoneFeatureStaysAloneAsLongAsItsRoomLasts) {
     RecordProperty("used", used);
 }
 
+// Nearly along the axis, what rounding leaves of a direction is as long as what lies across.
+TEST(ConvexContact, TheFarthestPointOfAnEndLiesOnItHoweverSmallTheTilt) {
+    Random random(12, 7);
+    for (int k = 0; k < 2000; ++k) {
+        const Vec3 axis = random.direction();
+        const PlacedCap cap{random.direction(), axis, 2.0, 2.0, 0.01, axis.unitOrthogonal()};
+        const double tilt = std::pow(10.0, random.uniform(-13.0, 0.0));
+        const Vec3 direction = turned(random.direction(), tilt) * axis;
+        const Vec3 from_center = cap.support(direction, 0).position - cap.center;
+        ASSERT_NEAR(from_center.dot(axis), 0.0, 1e-15) << tilt;
+        ASSERT_LE(from_center.norm(), cap.radius + 1e-15) << tilt;
+    }
+}
+
 TEST(ConvexContact, TheForceAtAWallIsTheGradientOfTheStoredEnergy) {
     for (const auto& [name, solid] : convex_solids()) {
         for (const bool is_tube : {false, true}) {
