@@ -41,6 +41,12 @@ struct NearCores {
     NearVertices i, j;
 };
 
+/// How far the bodies of a pair may move until what was proven of their features is proven again
+/// [m]: enough for thousands of steps at rest, and little against what a rounding reaches.
+inline double leash_room(const PlacedCore& i, const PlacedCore& j) {
+    return 0.02 * (i.rounding + j.rounding);
+}
+
 /// A core with its cap: of a polyhedron whatever may be nearest to the other body.
 struct CappedCore {
     const PlacedCore& core;

@@ -168,28 +168,6 @@ bool add_lone(const Side& i, const Side& j, const NearCores& near, double room,
     return false;
 }
 
-/// j as the body i sees it.
-struct RelativePose {
-    Vec3 center;
-    Quat turn;
-
-    explicit RelativePose(const PairState& pair)
-        : center(pair.i.orientation.conjugate() * pair.displacement),
-          turn(pair.i.orientation.conjugate() * pair.j.orientation) {}
-};
-
-/// No less than the way of any point of a body of this size between two poses [m].
-double farthest_way(const LoneFeature& from, const RelativePose& to, double size) {
-    const Vec3 vector = from.turn;
-    const double same = (to.turn.vec() - vector).squaredNorm() + square(to.turn.w() - from.turn_w);
-    const double other = (to.turn.vec() + vector).squaredNorm() + square(to.turn.w() + from.turn_w);
-    // The chord of an angle is at most twice the distance of the quaternions.
-    return (to.center - Vec3(from.center)).norm() + 2.0 * size * std::sqrt(std::min(same, other));
-}
-
-/// Of the roundings together: the room that is asked for.
-constexpr double room_share = 0.02;
-
 struct VertexAtFace {
     const PlacedCore& of_vertex;
     const PlacedCore& of_face;
@@ -206,14 +184,6 @@ VertexAtFace vertex_at_face(const PlacedCore& of_vertex, Index vertex, const Pla
 VertexAtFace vertex_at_face(const PlacedCore& i, const PlacedCore& j, const LoneFeature& lone) {
     return lone.kind == LoneFeature::Kind::vertex_of_i ? vertex_at_face(i, lone.of_i, j, lone.of_j)
                                                        : vertex_at_face(j, lone.of_j, i, lone.of_i);
-}
-
-void start_from(const PairState& pair, double room, LoneFeature& lone) {
-    const RelativePose pose(pair);
-    lone.room = room;
-    lone.center = pose.center;
-    lone.turn = Vec3(pose.turn.vec());
-    lone.turn_w = pose.turn.w();
 }
 
 /// Features that can touch while the bodies move by `room`: none, one, or more.
@@ -313,12 +283,12 @@ bool add_contenders(const PlacedCore& i, const PlacedCore& j, const ConvexScratc
 }  // namespace
 
 bool add_lone_feature(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
-                      FeatureSum& features, LoneFeature& lone) {
+                      FeatureSum& features, LoneFeature& lone, Leash& leash) {
     const Side side_i{i, near.i, i.direction_in_body(-near.normal), 1.0};
     const Side side_j{j, near.j, j.direction_in_body(near.normal), -1.0};
-    const double room = room_share * (i.rounding + j.rounding);
+    const double room = leash_room(i, j);
     if (add_lone(side_i, side_j, near, room, features, lone)) {
-        start_from(features.pair(), room, lone);
+        leash = leash_at(features.pair(), room);
         return true;
     }
     LoneFeature only_now;
@@ -326,27 +296,27 @@ bool add_lone_feature(const PlacedCore& i, const PlacedCore& j, const NearCores&
 }
 
 void look_for_lone_feature(const PlacedCore& i, const PlacedCore& j, const PairState& pair,
-                           const NearCores& near, ConvexScratch& scratch, LoneFeature& lone) {
+                           const NearCores& near, ConvexScratch& scratch, LoneFeature& lone,
+                           Leash& leash) {
     if (lone.wait > 0) {
         --lone.wait;
         return;
     }
     const double reach = i.rounding + j.rounding;
-    const double room = room_share * reach;
+    const double room = leash_room(i, j);
     collect_cap(i, -near.normal, near.deepest + room, near.i.vertex[0], scratch.i);
     collect_cap(j, near.normal, near.deepest + room, near.j.vertex[0], scratch.j);
     Contenders contenders(reach, room);
     if (add_contenders(i, j, scratch, contenders) && contenders.has_one(lone)) {
-        start_from(pair, room, lone);
+        leash = leash_at(pair, room);
     } else {
         lone.wait = 32;
     }
 }
 
-double lone_overlap(const PlacedCore& i, const PlacedCore& j, const PairState& pair,
-                    const LoneFeature& lone, const Vec3& normal) {
+double lone_overlap(const PlacedCore& i, const PlacedCore& j, const LoneFeature& lone,
+                    const Vec3& normal) {
     if (lone.kind == LoneFeature::Kind::none) return 0.0;
-    if (!(farthest_way(lone, RelativePose(pair), j.size) < lone.room)) return 0.0;
     const double reach = i.rounding + j.rounding;
     if (lone.kind != LoneFeature::Kind::edges) {
         const double height = vertex_at_face(i, j, lone).distance.distance;

@@ -116,12 +116,13 @@ inline void add_features(const PlacedCore& i, const PlacedCore& j, const ConvexT
         add_remaining(touch.point, others, features);
     } else if (i.has_vertices() && j.has_vertices()) {
         LoneFeature& lone = memory.history.lone;
-        if (!add_lone_feature(i, j, touch.near, features, lone))
+        Leash& leash = memory.history.leash;
+        if (!add_lone_feature(i, j, touch.near, features, lone, leash))
             add_polyhedra(i, j, touch.near, scratch, features);
         if (features.count() == 1 && lone.kind == LoneFeature::Kind::none)
-            look_for_lone_feature(i, j, features.pair(), touch.near, scratch, lone);
+            look_for_lone_feature(i, j, features.pair(), touch.near, scratch, lone, leash);
     } else {
-        add_round(i, j, touch.near, touch.point, scratch, features);
+        add_round(i, j, touch.near, touch.point, memory, features);
     }
 }
 
@@ -153,7 +154,7 @@ inline bool is_lone_contact(const PlacedCore& i, const PlacedCore& j, const Conv
                             const ConvexCall& call, PairContact& contact) {
     ConvexHistory& history = call.memory.history;
     const Vec3 normal = history.normal;
-    const double overlap = lone_overlap(i, j, call.pair, history.lone, normal);
+    const double overlap = lone_overlap(i, j, history.lone, normal);
     if (overlap > 0.0) {
         FeatureSum features(call.pair, overlap);
         add_known_feature(i, j, history.lone, normal, features);
@@ -175,6 +176,10 @@ PairContact core_contact(const CoreI& i, const CoreJ& j, const ConvexRadius& rad
     const double reach = i.rounding + j.rounding;
     const bool touched = history.effective_radius > 0.0;
     PairContact lone;
+    if (history.leash.room > 0.0 && !holds(history.leash, call.pair, j.size)) {
+        history.leash.room = 0.0;
+        history.lone.kind = LoneFeature::Kind::none;
+    }
     if (touched && is_lone_contact(i, j, radius, call, lone)) return lone;
     if (!touched && Vec3(memory.miss.axis).squaredNorm() > 0.0) {
         const Vec3 axis = memory.miss.axis;

@@ -3,7 +3,9 @@
 
 #include "runtime/contact/contact_types.hpp"
 #include "runtime/contact/gjk.hpp"
+#include "runtime/contact/leash.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <type_traits>
@@ -158,18 +160,21 @@ inline void add_remaining(const FeaturePoint& point, const FeatureSum& others,
     features.add(others, share);
 }
 
-/// The one feature of two polyhedra that touches, and for how long it is the only one that can
-/// (convex_lone.hpp). All zero: none is known.
+/// The one feature of two polyhedra that touches, while the leash lasts (convex_lone.hpp).
 struct LoneFeature {
     enum class Kind : std::uint32_t { none, vertex_of_i, vertex_of_j, edges };
     Kind kind = Kind::none;
     std::uint32_t of_i = 0, of_j = 0;  ///< numbers of a vertex, a face or an edge
     std::uint32_t wait = 0;            ///< steps until it is looked for again
-    double room = 0.0;                 ///< for the motion of any point of j in the frame of i [m]
-    StoredVec3 center;                 ///< of j in the frame of i, where that was found [m]
-    StoredVec3 turn;                   ///< of j in that frame, a quaternion, and
-    double turn_w = 0.0;               ///< its scalar
 };
+
+/// What of a flat end of a cylinder or a cone can touch the other body while the leash lasts
+/// (convex_round.hpp).
+struct NearEnd {
+    std::uint16_t samples = 0;  ///< a bit for each sample of the rim
+    std::uint16_t can_touch = 0;
+};
+using NearEnds = std::array<NearEnd, 2>;
 
 /// History of a pair of which at least one body is of kind `convex`. All zero: no contact.
 struct ConvexHistory {
@@ -183,6 +188,8 @@ struct ConvexHistory {
     double weight = 0.0;            ///< of the features together in the step before
     SearchStart search;             ///< where the search for the distance starts
     LoneFeature lone;
+    NearEnds ends_of_i{}, ends_of_j{};
+    Leash leash;                  ///< of what is known of the features
     std::uint64_t cores_met = 0;  ///< whether the cores have overlapped in this contact
 };
 static_assert(std::is_trivially_copyable_v<ConvexHistory>);

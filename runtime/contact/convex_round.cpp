@@ -2,6 +2,7 @@
 #include "runtime/contact/convex_round.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -30,6 +31,13 @@ struct Body {
     double sign;    ///< 1: i, -1: j
     Vec3 towards;   ///< unit, to the other body
     double extent;  ///< of the core along it, from the origin of the pair [m]
+    NearEnds& ends;
+};
+
+/// What the history says about the ends of a pair, or is to say.
+struct EndSearch {
+    bool is_known;  ///< of all ends and samples
+    double room;    ///< otherwise: what comes within this of touching is to be known [m]
 };
 
 /// Overlap of a point of one core, rounded, with the other body; all in the frame of the other.
@@ -240,10 +248,10 @@ class RimCrossings {
     double reach_;
 };
 
-/// Whether no point of an end overlaps the other body. Those that can lie on the disc above the
-/// height `least` along `towards`, which leaves of it a segment around its highest point.
-bool is_out_of_reach(const PlacedCap& cap, double least, const Body& body, const Body& other,
-                     const NearCores& near) {
+/// Whether no point of an end comes within `room` of the other body. Those that can lie on the disc
+/// above the height `least` along `towards`, which leaves of it a segment around its highest point.
+bool is_out_of_reach(const PlacedCap& cap, double least, double room, const Body& body,
+                     const Body& other, const NearCores& near) {
     const Vec3 highest = cap.support(body.towards, 0).position;
     const double height = highest.dot(body.towards) - least;
     if (height < 0.0) return true;
@@ -252,30 +260,52 @@ bool is_out_of_reach(const PlacedCap& cap, double least, const Body& body, const
     // From the highest point to where the rim, turned by phi, sinks below:
     //     2 R sin(phi / 2),  height = sine R (1 - cos phi)
     const double segment = std::sqrt(2.0 * cap.radius * height / sine);
-    const double reach = body.core.rounding + other.core.rounding + segment;
+    const double reach = body.core.rounding + other.core.rounding + room + segment;
     // Farther than the features of a pair ever are: what is nearest may lie outside of the cap.
     const Vec3 x = other.core.in_body(highest);
     return core_distance(other.core.shape, x, reach).distance >= reach;
 }
 
-void add_cap(const PlacedCap& cap, const Body& body, const Body& other, const NearCores& near,
-             const FeaturePoint& deepest, FeatureSum& features) {
-    const double least = body.extent - near.deepest;
-    if (is_out_of_reach(cap, least, body, other, near)) return;
-    const PlacedCap seen = seen_from(other.core, cap);
-    const double reach = body.core.rounding + other.core.rounding;
-    FeatureSum samples(features.pair(), features.deepest());
-    // The samples less than `deepest` behind the farthest point of the body.
-    const double middle = cap.center.dot(body.towards);
-    const double along = cap.radius * cap.across.dot(body.towards);
-    const double beside = cap.radius * cap.axis.cross(cap.across).dot(body.towards);
+/// Bits of the samples above a height along `towards`.
+std::uint32_t samples_above(const PlacedCap& cap, double least, const Vec3& towards) {
+    const double middle = cap.center.dot(towards);
+    const double along = cap.radius * cap.across.dot(towards);
+    const double beside = cap.radius * cap.axis.cross(cap.across).dot(towards);
+    std::uint32_t bits = 0;
     for (std::size_t k = 0; k < PlacedCap::sample_count; ++k) {
         const Vec2 direction = PlacedCap::sample_direction(k);
-        if (middle + direction.x() * along + direction.y() * beside < least) continue;
-        const FeaturePoint p =
-            point_against(body, other, near.cores_overlap, seen.sample(k), reach);
-        if (p.overlap > 0.0) samples.add(from_body(other.core, p), rim_sample_weight);
+        const bool is_above = middle + direction.x() * along + direction.y() * beside >= least;
+        bits |= std::uint32_t{is_above} << k;
     }
+    return bits;
+}
+
+/// Adds the samples that overlap, of those that can.
+void add_samples(const PlacedCap& cap, const PlacedCap& seen, double least, const Body& body,
+                 const Body& other, bool cores_overlap, const EndSearch& search, NearEnd& end,
+                 FeatureSum& samples) {
+    const double reach = body.core.rounding + other.core.rounding + search.room;
+    std::uint32_t bits = search.is_known ? end.samples : samples_above(cap, least, body.towards);
+    std::uint32_t near = 0;
+    for (; bits != 0; bits &= bits - 1) {
+        const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+        const FeaturePoint p = point_against(body, other, cores_overlap, seen.sample(k), reach);
+        if (p.overlap > 0.0) samples.add(from_body(other.core, p), rim_sample_weight);
+        if (p.overlap > -search.room) near |= 1U << k;
+    }
+    if (!search.is_known) end.samples = static_cast<std::uint16_t>(near);
+}
+
+void add_cap(const PlacedCap& cap, const Body& body, const Body& other, const NearCores& near,
+             const FeaturePoint& deepest, const EndSearch& search, NearEnd& end,
+             FeatureSum& features) {
+    const double least = body.extent - near.deepest - search.room;
+    if (!search.is_known)
+        end.can_touch = is_out_of_reach(cap, least, search.room, body, other, near) ? 0 : 1;
+    if (end.can_touch == 0) return;
+    const PlacedCap seen = seen_from(other.core, cap);
+    FeatureSum samples(features.pair(), features.deepest());
+    add_samples(cap, seen, least, body, other, near.cores_overlap, search, end, samples);
     const Vec3 on_core = deepest.position +
                          body.sign * (body.core.rounding - 0.5 * deepest.overlap) * deepest.normal;
     if (near.cores_overlap) {
@@ -338,7 +368,7 @@ double thickness(const PlacedCore& core) {
 }
 
 void add_body(const Body& body, const Body& other, const NearCores& near,
-              const FeaturePoint& deepest, FeatureSum& features) {
+              const FeaturePoint& deepest, const EndSearch& search, FeatureSum& features) {
     if (body.core.has_vertices()) {
         for (const ConvexCap::Vertex& v : body.side.vertices)
             add_vertex(body.core, v.number, {other.core, other.side}, near, body.sign, features);
@@ -346,12 +376,13 @@ void add_body(const Body& body, const Body& other, const NearCores& near,
     }
     const PlacedCaps caps = caps_of(body.core);
     for (std::size_t k = 0; k < caps.count; ++k)
-        add_cap(caps.cap[k], body, other, near, deepest, features);
+        add_cap(caps.cap[k], body, other, near, deepest, search, body.ends[k], features);
     if (body.core.shape.core == ConvexShape::Core::cone) add_tip(body, other, near, features);
 }
 
-Body body_of(const PlacedCore& core, const ConvexCap& side, const Vec3& towards, double sign) {
-    return {core, side, sign, towards, core.support(towards, 0).position.dot(towards)};
+Body body_of(const PlacedCore& core, const ConvexCap& side, const Vec3& towards, double sign,
+             NearEnds& ends) {
+    return {core, side, sign, towards, core.support(towards, 0).position.dot(towards), ends};
 }
 
 }  // namespace
@@ -382,14 +413,22 @@ PlacedCaps caps_of(const PlacedCore& core) {
 }
 
 void add_round(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
-               const FeaturePoint& deepest, ConvexScratch& scratch, FeatureSum& features) {
+               const FeaturePoint& deepest, const ConvexMemory& memory, FeatureSum& features) {
+    ConvexScratch& scratch = memory.scratch;
+    ConvexHistory& history = memory.history;
     list_cap(i, -near.normal, near.deepest, near.i.vertex[0], scratch.i);
     list_cap(j, near.normal, near.deepest, near.j.vertex[0], scratch.j);
-    const Body body_i = body_of(i, scratch.i, -near.normal, 1.0);
-    const Body body_j = body_of(j, scratch.j, near.normal, -1.0);
+    const Body body_i = body_of(i, scratch.i, -near.normal, 1.0, history.ends_of_i);
+    const Body body_j = body_of(j, scratch.j, near.normal, -1.0, history.ends_of_j);
+    // Of cores that overlap distances are signed, and other points come into play.
+    if (near.cores_overlap) history.leash.room = 0.0;
+    const bool is_known = history.leash.room > 0.0;
+    const double room = near.cores_overlap || is_known ? 0.0 : leash_room(i, j);
+    const EndSearch search{is_known, room};
     FeatureSum others(features.pair(), features.deepest());
-    add_body(body_i, body_j, near, deepest, others);
-    add_body(body_j, body_i, near, deepest, others);
+    add_body(body_i, body_j, near, deepest, search, others);
+    add_body(body_j, body_i, near, deepest, search, others);
+    if (room > 0.0) history.leash = leash_at(features.pair(), room);
     if (!near.cores_overlap) add_edges(scratch, near, thickness(i), thickness(j), others);
     add_remaining(deepest, others, features);
 }

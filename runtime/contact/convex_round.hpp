@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "runtime/contact/convex_features.hpp"
+#include "runtime/contact/convex_convex.hpp"
 
 namespace dem {
 
@@ -43,8 +43,10 @@ inline constexpr double rim_sample_weight = 0.25;
 
 /// Features of two bodies with flat or straight parts, at least one of which is a cylinder or a
 /// cone: vertices, tip, the rim of every near end by its deepest point and by samples where it
-/// lies flat, the straight side against edges. `deepest`: the nearest points of the cores.
+/// lies flat, the straight side against edges. `deepest`: the nearest points of the cores. What
+/// cannot touch while the leash in the memory lasts is left out; without a leash that is found,
+/// and changes nothing.
 void add_round(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
-               const FeaturePoint& deepest, ConvexScratch& scratch, FeatureSum& features);
+               const FeaturePoint& deepest, const ConvexMemory& memory, FeatureSum& features);
 
 }  // namespace dem

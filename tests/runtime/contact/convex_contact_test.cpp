@@ -141,7 +141,8 @@ TEST(ConvexContact, ALoneFeatureIsAllThereIs) {
         FeatureSum alone(pair, touch.point.overlap);
         ++touching;
         LoneFeature found_lone;
-        if (!add_lone_feature(i, j, touch.near, alone, found_lone)) continue;
+        Leash leash;
+        if (!add_lone_feature(i, j, touch.near, alone, found_lone, leash)) continue;
         ++lone;
         FeatureSum all(pair, touch.point.overlap);
         add_polyhedra(i, j, touch.near, scratch, all);
@@ -168,17 +169,19 @@ TEST(ConvexContact, ALoneFeatureStaysAloneAsLongAsItsRoomLasts) {
         before.history.search.direction = Vec3(pair.displacement.normalized() * -1.0);
         collide(a, b, pair, elastic, 1e-6, before.memory());
         const LoneFeature& lone = before.history.lone;
+        const Leash& leash = before.history.leash;
         for (int n = 0; n < 4 && lone.kind != LoneFeature::Kind::none; ++n) {
-            const double angle = lone.room * random.uniform();
+            const double angle = leash.room * random.uniform();
             PairState moved = pair;
-            moved.displacement += random.uniform(0.0, 0.7) * lone.room * random.direction();
+            moved.displacement += random.uniform(0.0, 0.7) * leash.room * random.direction();
             moved.i.orientation = turned(random.direction(), 0.3 * angle) * pair.i.orientation;
             moved.j.orientation = turned(random.direction(), 0.3 * angle) * pair.j.orientation;
             const PlacedCore i(a, moved.i.orientation, Vec3::Zero());
             const PlacedCore j(b, moved.j.orientation, moved.displacement);
             Host host;
             host.history = before.history;
-            if (!(lone_overlap(i, j, moved, lone, host.history.normal) > 0.0)) {
+            if (!holds(leash, moved, j.size) ||
+                !(lone_overlap(i, j, lone, host.history.normal) > 0.0)) {
                 ++outside;
                 continue;
             }
@@ -211,6 +214,44 @@ TEST(ConvexContact, TheFarthestPointOfAnEndLiesOnItHoweverSmallTheTilt) {
         ASSERT_NEAR(from_center.dot(axis), 0.0, 1e-15) << tilt;
         ASSERT_LE(from_center.norm(), cap.radius + 1e-15) << tilt;
     }
+}
+
+// What is left out of the ends of cylinders and cones while the leash lasts adds nothing: not a bit
+// changes.
+TEST(ConvexContact, WhatIsLeftOutOfEndsTouchesNothing) {
+    const std::vector<ConvexSolid> solids = {
+        make_cylinder(0.6, 1.2, 0.02), make_cylinder(0.5, 0.1, 0.01), make_cylinder(0.3, 2.0, 0.02),
+        make_cone(0.7, 1.2, 0.02), make_cuboid({1.0, 1.4, 0.6}, 0.02)};
+    Random random(12, 6);
+    int used = 0;
+    for (int k = 0; k < 3000; ++k) {
+        const auto& [a, b, pair] = touching_grains(solids, k, random);
+        Host before;
+        before.history.effective_radius = 0.25;
+        before.history.search.direction = Vec3(pair.displacement.normalized() * -1.0);
+        collide(a, b, pair, elastic, 1e-6, before.memory());
+        const double room = before.history.leash.room;
+        for (int n = 0; n < 4 && room > 0.0; ++n) {
+            PairState moved = pair;
+            moved.displacement += random.uniform(0.0, 0.7) * room * random.direction();
+            moved.i.orientation =
+                turned(random.direction(), random.uniform(0.0, 0.3) * room) * pair.i.orientation;
+            Host with;
+            Host without;
+            with.history = without.history = before.history;
+            without.history.leash.room = 0.0;
+            if (!holds(before.history.leash, moved, b.bounding_radius)) continue;
+            const PairContact quick = collide(a, b, moved, elastic, 1e-6, with.memory());
+            const PairContact whole = collide(a, b, moved, elastic, 1e-6, without.memory());
+            ++used;
+            ASSERT_EQ(quick.overlap, whole.overlap) << k;
+            ASSERT_EQ(quick.force, whole.force) << k;
+            ASSERT_EQ(quick.torque_i, whole.torque_i) << k;
+            ASSERT_EQ(quick.torque_j, whole.torque_j) << k;
+        }
+    }
+    EXPECT_GT(used, 5000);
+    RecordProperty("used", used);
 }
 
 TEST(ConvexContact, TheForceAtAWallIsTheGradientOfTheStoredEnergy) {
