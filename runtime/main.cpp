@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/error.hpp"
+#include "common/signals.hpp"
 #include "runtime/case/key.hpp"
 #include "runtime/case/read_scene.hpp"
 #include "runtime/case/scene_summary.hpp"
@@ -164,8 +165,9 @@ int run(const CommandLine& line) {
         std::cout << description;
         return 0;
     }
-    std::signal(SIGINT, request_stop);
-    std::signal(SIGTERM, request_stop);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (dem::is_heeded(signal)) std::signal(signal, request_stop);
+    dem::survive_file_size_limit();
     const std::string directory = scene.output.directory;
     dem::Progress progress(std::cerr, dem::Progress::stderr_style(line.quiet), "demrun",
                            scene.run.end_time);

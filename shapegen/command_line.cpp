@@ -6,6 +6,7 @@
 #include "shapegen/clump_options.hpp"
 #include "shapegen/convex_options.hpp"
 #include "shapegen/import/mesh_file.hpp"
+#include "shapegen/option_values.hpp"
 
 #include <sstream>
 #include <vector>
@@ -229,11 +230,8 @@ Command parse_cook(const Words& words) {
     command.mesh = read_mesh_options(values);
     command.options = read_options(values);
     command.output = values.count("output") != 0
-                         ? std::filesystem::path(values["output"].as<std::string>())
+                         ? template_output(values)
                          : command.input.filename().replace_extension(".tpl");
-    if (command.output.extension() != ".tpl")
-        throw UsageError(
-            "-o", "found '" + command.output.string() + "', expected a name that ends in .tpl");
     command.is_quiet = values.count("quiet") != 0;
     command.text = "shapegen";
     for (const std::string& word : words) command.text += ' ' + word;

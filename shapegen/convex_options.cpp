@@ -112,7 +112,7 @@ GenerateCommand read_generate_options(const po::variables_map& values, const std
     }
     if (values.count("size") != 0) grains.size = read_size(values["size"].as<std::string>());
     grains.rounding = read_rounding(values);
-    command.output = values["output"].as<std::string>();
+    command.output = template_output(values);
     command.is_quiet = values.count("quiet") != 0;
     return command;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
+#include "common/signals.hpp"
 #include "shapegen/command_line.hpp"
 #include "shapegen/run_command.hpp"
 
@@ -19,12 +20,6 @@ int fail(const std::exception& error, int code) {
     return code;
 }
 
-/// False after nohup, and for Ctrl-C in what a script started in the background.
-bool is_heeded(int signal) {
-    struct sigaction action {};
-    return sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_IGN;
-}
-
 /// Who interrupts the program leaves nothing half written. A thread waits for that, so that what it
 /// does is not bound to what a signal handler may do. A signal that is to be ignored must not be
 /// waited for: blocked, it would arrive.
@@ -32,7 +27,7 @@ void clean_up_when_interrupted() {
     sigset_t signals;
     sigemptyset(&signals);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        if (is_heeded(signal)) sigaddset(&signals, signal);
+        if (dem::is_heeded(signal)) sigaddset(&signals, signal);
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // in all threads that are made from now on
     std::thread([signals] {
         int signal = 0;
@@ -48,6 +43,7 @@ void clean_up_when_interrupted() {
 
 int main(int argc, char** argv) {
     clean_up_when_interrupted();
+    dem::survive_file_size_limit();
     try {
         const std::span<const char* const> arguments(argv, static_cast<std::size_t>(argc));
         dem::run_command(dem::parse_command_line(arguments), std::cout);

@@ -20,4 +20,12 @@ std::int64_t whole_number(const po::variables_map& values, const std::string& op
     return found;
 }
 
+std::filesystem::path template_output(const po::variables_map& values) {
+    std::filesystem::path output = values["output"].as<std::string>();
+    if (output.extension() != ".tpl")
+        throw UsageError("-o",
+                         "found '" + output.string() + "', expected a name that ends in .tpl");
+    return output;
+}
+
 }  // namespace dem

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include <boost/program_options.hpp>
@@ -14,5 +15,8 @@ boost::program_options::typed_value<std::string>* text(const char* name);
 /// The value of a whole-number option. Throws UsageError where it is out of range.
 std::int64_t whole_number(const boost::program_options::variables_map& values,
                           const std::string& option, std::int64_t least, std::int64_t most);
+
+/// The file of --output, a template. Throws UsageError where its name does not end in .tpl.
+std::filesystem::path template_output(const boost::program_options::variables_map& values);
 
 }  // namespace dem

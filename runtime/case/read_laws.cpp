@@ -137,8 +137,9 @@ ContactLaw law_of(const Scene& scene, const CaseSection& section, std::uint32_t 
     if (law_options.model == ContactLaw::Model::linear) {
         for (const char* key : {"normal_stiffness", "tangential_restitution"}) {
             if (values.has(key)) continue;
-            throw Error(section.where, "no " + std::string(key) + " for " + pair_text(scene, a, b) +
-                                           ", which model = linear needs");
+            throw Error(section.where,
+                        "no " + std::string(key) + " for " + pair_text(scene, a, b) +
+                            ", expected it in the same section: model = linear needs it");
         }
         return linear_law(values.number("normal_stiffness"), values.number("restitution"),
                           values.number("tangential_restitution"), law_options);

@@ -52,10 +52,12 @@ std::vector<std::size_t> taken_shapes(const Values& values, const std::vector<Bo
         std::size_t shape = all[of_rows.size() % all.size()];
         if (!row.template_name.empty()) {
             const auto found = library.find(row.template_name);
-            if (!found || (values.has("shape") && *found != all.front()))
-                throw Error(group.file + ":" + std::to_string(row.line),
-                            "template '" + row.template_name + "' is none of [particles." +
-                                group.name + "]" + library.suggestion_for(row.template_name));
+            const std::string place = group.file + ":" + std::to_string(row.line);
+            const std::string words =
+                "template '" + row.template_name + "' is none of [particles." + group.name + "]";
+            if (!found) throw Error(place, words + library.suggestion_for(row.template_name));
+            if (values.has("shape") && *found != all.front())
+                throw Error(place, words + ", expected '" + values.text("shape") + "', its shape");
             shape = *found;
         }
         of_rows.push_back(shape);

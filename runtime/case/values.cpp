@@ -47,9 +47,13 @@ std::string other_section(std::string_view key) {
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
     const std::string nearest = nearest_word(word, known);
     if (!nearest.empty()) return ", did you mean '" + nearest + "'?";
+    if (known.empty()) return ", there is none";
+    constexpr std::size_t most = 40;
     std::string text;
-    for (const std::string& k : known) text += (text.empty() ? "" : ", ") + k;
-    return known.empty() ? ", there is none" : ", expected one of: " + text;
+    for (std::size_t k = 0; k < std::min(most, known.size()); ++k)
+        text += (k == 0 ? "" : ", ") + known[k];
+    if (known.size() > most) text += ", ... (" + std::to_string(known.size()) + " in all)";
+    return ", expected one of: " + text;
 }
 
 std::vector<double> parse_quantities(std::string_view text, Dimension dimension) {

@@ -186,9 +186,9 @@ Grain make_grain(const GranularOptions& options, std::uint64_t index) {
             continue;  // points in a plane, or nearly
         }
     }
-    throw Error("grain " + std::to_string(index),
-                "no hull of " + std::to_string(most_draws) +
-                    " is thick enough for its rounding, expected a smaller --rounding");
+    throw Error("--rounding", "no hull of " + std::to_string(most_draws) + " for grain " +
+                                  std::to_string(index) +
+                                  " is thick enough for it, expected a smaller one");
 }
 
 }  // namespace dem

@@ -82,9 +82,10 @@ CookedConvex cook_mesh(const std::filesystem::path& path, const ConvexRequest& r
     const FewerVertices fewer =
         with_fewer_vertices(core, request.vertices.value_or(core.vertices.size()));
 
+    const ConvexSolid full = with_mass_properties(rounded_around(core, rounding));
     ConvexSolid solid = with_mass_properties(rounded_around(fewer.solid, rounding));
     if (rounding > 0.0) solid.rounding_loss = 1.0 - rounded_volume / volume;
-    solid.corner_retreat = farthest_outside(solid, hull.vertices);
+    solid.corner_retreat = farthest_outside(full, hull.vertices);
     solid.mass_properties.center_of_mass += center;
     const double d_eq = solid.shape.equivalent_diameter;
     const double excess = volume / enclosed_volume(loaded.mesh) - 1.0;

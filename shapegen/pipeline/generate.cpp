@@ -2,6 +2,7 @@
 #include "shapegen/pipeline/generate.hpp"
 
 #include "common/error.hpp"
+#include "common/state_hash.hpp"
 #include "formats/template_check.hpp"
 #include "formats/template_header.hpp"
 #include "formats/template_writer.hpp"
@@ -60,6 +61,20 @@ void make_block(const LibraryRequest& request, const std::filesystem::path& path
     for (const int count : redrawn) summary.redrawn += static_cast<std::uint64_t>(count);
 }
 
+/// Of all that a library follows from.
+std::uint64_t hash_of(const LibraryRequest& request) {
+    const GranularOptions& grains = request.grains;
+    const Rounding rounding = grains.rounding.value_or(Rounding{});
+    const std::array counts{static_cast<std::uint64_t>(grains.kind),
+                            static_cast<std::uint64_t>(grains.base), grains.seed, request.count,
+                            std::uint64_t{rounding.is_share}};
+    const std::array lengths{grains.size, rounding.value};
+    StateHash hash;
+    hash.add(std::span<const std::uint64_t>(counts));
+    hash.add(std::span<const double>(lengths));
+    return hash.value();
+}
+
 /// After the first block, which tells how large a grain is.
 void check_size(std::uint64_t count, std::uint64_t made, std::uint64_t bytes,
                 const std::filesystem::path& path) {
@@ -105,6 +120,7 @@ LibrarySummary generate_library(const LibraryRequest& request, const std::filesy
     summary.mean_vertices /= static_cast<double>(request.count);
     TemplateFile content;
     content.command = request.command;
+    content.input_hash = hash_of(request);
     content.shapegen_version = DEM_VERSION;
     builder.write(path, content);
     return summary;

@@ -184,6 +184,7 @@ TEST_F(ShapegenCli, NeverOverwritesItsInput) {
     std::filesystem::create_symlink("ball.profile", folder_ / "ball.tpl");
     expect_failure(run("ball.profile -o ball.tpl"), 2, "the input itself");
     expect_failure(run("ball.profile -o ./ball.profile"), 2, "expected a name that ends in .tpl");
+    expect_failure(run("generate sand --count 3 -o sand.svg"), 2, "a name that ends in .tpl");
     EXPECT_EQ(content(folder_ / "ball.profile"), before);
 }
 

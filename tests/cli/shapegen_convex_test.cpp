@@ -133,6 +133,7 @@ TEST_F(ShapegenConvex, GeneratesTheSameLibraryForAnyNumberOfThreads) {
     // A shorter library is its beginning; another seed is another library.
     const TemplateFile shorter = cook_file("generate sand --count 20 --seed 4");
     const TemplateFile other = cook_file("generate sand --count 20 --seed 5");
+    EXPECT_NE(other.input_hash, shorter.input_hash);
     for (std::size_t k = 0; k < 20; ++k) {
         const double volume = library.shapes[k].mass_properties.volume;
         EXPECT_EQ(shorter.shapes[k].mass_properties.volume, volume);
@@ -184,7 +185,7 @@ TEST_F(ShapegenConvex, RefusesAWrongCommandLine) {
     expect_failure("generate woodchips --count 3 --template sphere", 2, "with sand");
     expect_failure("generate sand --count 3 --size 5", 2, "a length with its unit");
     expect_failure("generate sand --count 3 --size '-5 mm'", 2, "above 0");
-    expect_failure("generate sand --count 3 --rounding 60%", 1, "a smaller --rounding");
+    expect_failure("generate sand --count 3 --rounding 60%", 1, "--rounding: no hull of 1000");
 }
 
 TEST_F(ShapegenConvex, RefusesWhatIsNoBody) {

@@ -329,6 +329,9 @@ TEST_F(ShapesOfALibrary, AreTakenByRowsInTurnOrByName) {
     EXPECT_NE(check_scene(named).find(words.str()), std::string::npos) << check_scene(named);
     EXPECT_NE(case_message(table("x,template\n0,e\n")).find(":2: template 'e' is none of"),
               std::string::npos);
+    EXPECT_NE(case_message(table("x,template\n0,b\n") + "shape = c\n")
+                  .find("template 'b' is none of [particles.some], expected 'c', its shape"),
+              std::string::npos);
 }
 
 TEST(CaseLines, ChangeWithWhatMovesBodiesAndWithNothingElse) {

@@ -61,6 +61,14 @@ TEST(Values, AnUnknownKeyIsNamedWithTheNearestOne) {
               "c.ini:3: unknown key 'friction' in [run], it belongs in [contact]");
 }
 
+TEST(Values, AListOfManyNamesIsCutShort) {
+    const std::vector<std::string> few = {"ab", "cd"};
+    EXPECT_EQ(suggestion("uvwxyz", few), ", expected one of: ab, cd");
+    const std::vector<std::string> many(100'000, "ab");
+    EXPECT_LT(suggestion("uvwxyz", many).size(), 300U);
+    EXPECT_TRUE(suggestion("uvwxyz", many).ends_with("(100000 in all)"));
+}
+
 TEST(Values, AMissingKeyIsNamed) {
     EXPECT_EQ(message("[run]\nseed = 3\n", nothing),
               "c.ini:1: no 'end_time' in [run], it is required");
