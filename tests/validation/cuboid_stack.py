@@ -59,15 +59,20 @@ def damping_time(frequency):
     return 2 * STIFFNESS / (2 * ratio * np.sqrt(STIFFNESS * mass) * frequency**2)
 
 
-def sway_of_the_top(times, velocity):
-    """Angular frequency [1/s] of the strongest sway of the top cube after the first second, and how fast its velocity was seen to fall."""
+def sway_of_the_top(times, place):
+    """Angular frequency [1/s] of the strongest sway of the top cube and its amplitude [m] in every second after the first: a least-squares fit of one
+    frequency, an offset and a drift to each second."""
     late = times > 1
-    power = sum(abs(np.fft.rfft((v - v.mean()) * np.hanning(late.sum())))**2 for v in velocity[late].T)
-    frequency = 2 * np.pi * np.fft.rfftfreq(late.sum(), times[1] - times[0])[1 + power[1:].argmax()]
-    seconds = np.arange(1, int(times[-1] + 0.01))
-    rms = [np.sqrt((velocity[(times > s) & (times <= s + 1)]**2).sum(axis=1).mean()) for s in seconds]
-    slope = np.polyfit(seconds, np.log(rms), 1)[0]
-    return frequency, f" (its velocity was seen to {'fall' if slope < 0 else 'grow'} with {abs(1 / slope):.0f} s)"
+
+    def fit(frequency, which):
+        t = times[which] - times[which].mean()
+        columns = np.stack([np.ones_like(t), t, np.cos(frequency * t), np.sin(frequency * t)], axis=1)
+        found, rest, *_ = np.linalg.lstsq(columns, place[which], rcond=None)
+        return np.linalg.norm(found[2:]), rest.sum()
+
+    frequencies = np.arange(3.0, 150.0, 0.05)
+    best = frequencies[np.argmin([fit(w, late)[1] for w in frequencies])]
+    return best, [fit(best, (times > s) & (times <= s + 1))[0] for s in np.arange(1, int(times[-1] + 0.01))]
 
 
 def report_stack(page):
@@ -87,13 +92,15 @@ def report_stack(page):
                off[-1].max() < 0.01)
     page.claim(f"vertical velocities are below 1e-6 m/s after {seconds} ({vertical:.1e})", vertical < 1e-6)
     early, late = (sway[(times > a) & (times <= b)].max() for a, b in ((1, 2), (times[-1] - 1, times[-1])))
-    page.claim(f"the sway decays: largest horizontal velocity {early:.1e} m/s in the second second, {late:.1e} in the last", late < early)
-    slowest, constant = sway_of_the_top(times, frames["velocity"][:, order[-1], :2])
+    slowest, amplitude = sway_of_the_top(times, position[:, -1, :2])
+    page.claim(f"the sway decays, slowly: the largest horizontal velocity is {early:.1e} m/s in the second second and {late:.1e} in the last, the "
+               f"strongest mode at the top, w = {slowest:.1f} 1/s, has an amplitude of {1e6 * amplitude[0]:.2f} um and of {1e6 * amplitude[-1]:.2f} um",
+               late < early and amplitude[-1] < amplitude[0])
     lowest = np.pi / (2 * COUNT) * np.sqrt(STIFFNESS / (DENSITY * EDGE**3))
     page.text(f"""
 Dashpots damp a mode of frequency w with the time constant 2 k_n / (eta_n w^2): they hardly damp what is slow. The lowest vertical mode of a chain of
-100 equal springs, w = pi/200 sqrt(k_n/m) = {lowest:.0f} 1/s, is lost within {damping_time(lowest):.2f} s; the sway of the whole column, at the top mostly with
-w = {slowest:.0f} 1/s, would take {damping_time(slowest):.0f} s by the same rule{constant}.""")
+100 equal springs, w = pi/200 sqrt(k_n/m) = {lowest:.0f} 1/s, is lost within {damping_time(lowest):.2f} s; a sway of the whole column with w = {slowest:.1f} 1/s
+takes {damping_time(slowest):.0f} s by the same rule. Amplitudes of that mode in the seconds from the second on [um]: {', '.join(f'{1e6 * a:.2f}' for a in amplitude)}.""")
     figure, axes = plt.subplots(1, 2, figsize=(8, 3.4), layout="constrained")
     axes[0].semilogy(times, sway, label="horizontal")
     axes[0].semilogy(times, abs(frames["velocity"][:, :, 2]).max(axis=1), label="vertical")
