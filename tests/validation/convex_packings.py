@@ -13,12 +13,12 @@ COUNTS = {0.25: 700, 0.5: 800, 1.0: 600, 2.0: 400, 3.0: 300}
 SHAPES = {"cuboid": (lambda h: f"shape = cuboid\nlength = 3\nwidth = 3\nheight = {h}\n", lambda h: 9.0 * h),
           "cylinder": (lambda h: f"shape = cylinder\nradius = 1.5\nheight = {h}\n", lambda h: np.pi * 2.25 * h),
           "ellipsoid": (lambda h: f"shape = ellipsoid\na = 1.5\nb = 1.5\nc = {h / 2}\n", lambda h: 4 / 3 * np.pi * 2.25 * h / 2)}
-DEEP = 3  # times as many ellipsoids of an aspect ratio up to 1: they are small and make the shallowest beds
+DEEPER = {("ellipsoid", 1.0): 3, ("ellipsoid", 0.25): 2}  # times as many: the beds of the smallest bodies would be the shallowest
 LAUNCH_SEEDS = {("cuboid", 2.0), ("cuboid", 3.0), ("cylinder", 2.0), ("cylinder", 3.0)}  # a second seed: ten runs at AR >= 2
 
 
 def count(shape, ratio):
-    return COUNTS[ratio] * (DEEP if shape == "ellipsoid" and ratio <= 1 else 1)
+    return COUNTS[ratio] * DEEPER.get((shape, ratio), 1)
 
 
 def pack(shape, ratio, seed, reuse):
