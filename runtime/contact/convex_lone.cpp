@@ -227,6 +227,9 @@ class Contenders {
         }
         const double t = (cosine * along_b - along_a) / sine2;
         const double u = (along_b - cosine * along_a) / sine2;
+        // A body whose points move by no more than the room turns by less than room / radius. The
+        // products above, of lengths up to two diameters, then change by a few rooms each, and the
+        // quotients by less than this. The distance of the lines changes to second order of it.
         const double slack = 20.0 * room_ / sine2;
         if (t < -slack || t > a.length + slack || u < -slack || u > b.length + slack) return true;
         if ((between + t * a.direction - u * b.direction).norm() >= far + slack * room_ / far)
