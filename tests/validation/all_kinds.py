@@ -36,12 +36,14 @@ sphere, convex and other surfaces of revolution, clump, cuboid, cylinder and pol
 [contact](../contact.md).""")
     late = history["time"] > 0.9 * run.summary["time"]
     share = kinetic[late].max() / energy["dissipated"][-1]
-    page.claim(f"all {len(run.final['x'])} bodies come to rest but for rocking: in the last tenth of {run.summary['time']:.1f} s the kinetic energy stays below {share:.1e} "
+    page.claim(f"all {len(run.final['x'])} bodies come to rest but for rolling and rocking: in the last tenth of {run.summary['time']:.1f} s the kinetic energy stays below {share:.1e} "
                "of what was dissipated (1e-6)", share < 1e-6 and len(run.final["x"]) == 140)
-    moving = [f"{run.final['group'][i]} {run.final['id'][i]:.0f}" for i in np.argsort(-speed(run.final))[:2]]
-    page.text(f"What moves most in the end ({', '.join(moving)}) rocks on two points without sliding, which costs nothing: there is no rolling friction, and "
-              "the kinetic energy swings on. "
-              f"The others are slower than {1e6 * np.sort(speed(run.final))[-3]:.2g} um/s.")
+    speeds = speed(run.final)
+    order = np.argsort(-speeds)
+    moving = order[speeds[order] > 2e-5]
+    names = ", ".join(f"{run.final['group'][i]} {run.final['id'][i]:.0f} with {1e3 * speeds[i]:.2g} mm/s" for i in moving)
+    page.text(f"Still moving in the end: {names}. They roll or rock without sliding, which costs nothing: there is no rolling friction, and the kinetic "
+              f"energy swings on. All others are slower than {1e6 * speeds[order[len(moving)]]:.2g} um/s.")
     page.claim(f"kinetic, elastic and potential energy and what was dissipated add up to what came in, within {100 * gap:.3f} % of the "
                "dissipated energy at any time", gap < 0.005)
     page.text(f"In {run.summary['core_overlaps']} contacts the cores of convex bodies overlapped (a rounding of 1 % is soon used up at the 2 m/s at which the "
