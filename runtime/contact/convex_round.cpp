@@ -150,7 +150,9 @@ FeaturePoint deepest_of_cap(const PlacedCap& cap, const PlacedCap& seen, const V
     if (std::abs(above) > 0.01 * body.core.size)
         radial = body.towards - body.towards.dot(cap.axis) * cap.axis;
     if (!(radial.norm() > 1e-9 * body.core.size)) radial = cap.axis.unitOrthogonal();
-    const Vec3 start = other.core.direction_in_body(radial.normalized());
+    radial.normalize();
+    radial -= radial.dot(cap.axis) * cap.axis;  // what rounding has left of it
+    const Vec3 start = other.core.direction_in_body(radial);
     return from_body(other.core, deepest_of_rim(seen, start, body, other));
 }
 
@@ -416,15 +418,17 @@ void add_round(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
                const FeaturePoint& deepest, const ConvexMemory& memory, FeatureSum& features) {
     ConvexScratch& scratch = memory.scratch;
     ConvexHistory& history = memory.history;
-    list_cap(i, -near.normal, near.deepest, near.i.vertex[0], scratch.i);
-    list_cap(j, near.normal, near.deepest, near.j.vertex[0], scratch.j);
-    const Body body_i = body_of(i, scratch.i, -near.normal, 1.0, history.ends_of_i);
-    const Body body_j = body_of(j, scratch.j, near.normal, -1.0, history.ends_of_j);
     // Of cores that overlap distances are signed, and other points come into play.
     if (near.cores_overlap) history.leash.room = 0.0;
     const bool is_known = history.leash.room > 0.0;
     const double room = near.cores_overlap || is_known ? 0.0 : leash_room(i, j);
     const EndSearch search{is_known, room};
+    // The same faces with and without a leash: no bit is to depend on it.
+    const double depth = near.deepest + (near.cores_overlap ? 0.0 : leash_room(i, j));
+    list_cap(i, -near.normal, depth, near.i.vertex[0], scratch.i);
+    list_cap(j, near.normal, depth, near.j.vertex[0], scratch.j);
+    const Body body_i = body_of(i, scratch.i, -near.normal, 1.0, history.ends_of_i);
+    const Body body_j = body_of(j, scratch.j, near.normal, -1.0, history.ends_of_j);
     FeatureSum others(features.pair(), features.deepest());
     add_body(body_i, body_j, near, deepest, search, others);
     add_body(body_j, body_i, near, deepest, search, others);

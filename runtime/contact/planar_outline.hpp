@@ -51,6 +51,7 @@ class PlanarOutline {
         tilt_ = across.norm();
         if (tilt_ > 1e-9) {
             e1_ = across / tilt_;
+            e1_ -= e1_.dot(cylinder_axis) * cylinder_axis;  // what rounding has left of it
         } else {
             const Vec3 other = std::abs(cylinder_axis.x()) < 0.7 ? Vec3::UnitX() : Vec3::UnitY();
             e1_ = cylinder_axis.cross(other).normalized();
