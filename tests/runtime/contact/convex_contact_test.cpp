@@ -123,6 +123,15 @@ TouchingGrains touching_grains(const std::vector<ConvexSolid>& solids, int k, Ra
     return {a, b, pair_at(x)};
 }
 
+/// What a contact remembers of its first step.
+Host after_first_step(const ConvexShape& a, const ConvexShape& b, const PairState& pair) {
+    Host host;
+    host.history.effective_radius = 0.25;
+    host.history.search.direction = Vec3(pair.displacement.normalized() * -1.0);
+    collide(a, b, pair, elastic, 1e-6, host.memory());
+    return host;
+}
+
 // Most contacts of grains are a vertex on a face or an edge across another: found to be alone
 // they give, to the bit, what all features give.
 TEST(ConvexContact, ALoneFeatureIsAllThereIs) {
@@ -164,10 +173,7 @@ TEST(ConvexContact, ALoneFeatureStaysAloneAsLongAsItsRoomLasts) {
     int outside = 0;
     for (int k = 0; k < 3000; ++k) {
         const auto& [a, b, pair] = touching_grains(solids, k, random);
-        Host before;
-        before.history.effective_radius = 0.25;
-        before.history.search.direction = Vec3(pair.displacement.normalized() * -1.0);
-        collide(a, b, pair, elastic, 1e-6, before.memory());
+        const Host before = after_first_step(a, b, pair);
         const LoneFeature& lone = before.history.lone;
         const Leash& leash = before.history.leash;
         for (int n = 0; n < 4 && lone.kind != LoneFeature::Kind::none; ++n) {
@@ -226,10 +232,7 @@ TEST(ConvexContact, WhatIsLeftOutOfEndsTouchesNothing) {
     int used = 0;
     for (int k = 0; k < 3000; ++k) {
         const auto& [a, b, pair] = touching_grains(solids, k, random);
-        Host before;
-        before.history.effective_radius = 0.25;
-        before.history.search.direction = Vec3(pair.displacement.normalized() * -1.0);
-        collide(a, b, pair, elastic, 1e-6, before.memory());
+        const Host before = after_first_step(a, b, pair);
         const double room = before.history.leash.room;
         for (int n = 0; n < 4 && room > 0.0; ++n) {
             PairState moved = pair;
