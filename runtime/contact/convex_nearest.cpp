@@ -75,4 +75,29 @@ void sharpen(const PlacedCore& i, const PlacedCore& j, CoreDistance& found) {
     found.point_j = image;
 }
 
+void sharpen(const PlacedCore& i, const PlacedCore& j, Penetration& deepest) {
+    const double gap = 0.01 * std::min(i.size, j.size);
+    const auto overlap_along = [&](const Vec3& n) {
+        return -n.dot(gjk::support(i, j, -n, 0, 0).w);
+    };
+    double overlap = overlap_along(deepest.normal);
+    for (int k = 0; k < 32; ++k) {
+        const Vec3 way = (gap + overlap) * deepest.normal;
+        PlacedCore moved = i;
+        moved.center += way;
+        SearchStart start;
+        start.direction = deepest.normal;
+        CoreDistance left = core_distance(moved, j, start, 0.0);
+        if (left.overlaps) return;
+        sharpen(moved, j, left);
+        const double next = overlap_along(left.normal);
+        if (!(next < overlap)) return;
+        overlap = next;
+        deepest.depth = next;
+        deepest.normal = left.normal;
+        deepest.point_i = left.point_i - way;
+        deepest.point_j = left.point_j;
+    }
+}
+
 }  // namespace dem

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "runtime/contact/epa.hpp"
 #include "runtime/contact/gjk.hpp"
 #include "runtime/contact/placed_core.hpp"
 
@@ -11,5 +12,9 @@ namespace dem {
 /// to core, which hardly get along by themselves where the gap is small, are extrapolated as a
 /// linear map (Anderson 1965).
 void sharpen(const PlacedCore& i, const PlacedCore& j, CoreDistance& found);
+
+/// The same for cores that overlap, one of them an ellipsoid: i is moved out until a gap is left,
+/// and the direction of the gap taken over as long as the overlap along it is less.
+void sharpen(const PlacedCore& i, const PlacedCore& j, Penetration& deepest);
 
 }  // namespace dem

@@ -63,6 +63,19 @@ inline double distance_error(const PlacedCore& i, const PlacedCore& j) {
     return 1e-7 * (i.rounding + j.rounding);
 }
 
+template <class CoreI, class CoreJ>
+void sharpen_single(const CoreI& /*i*/, const CoreJ& /*j*/, CoreDistance& /*found*/) {}
+inline void sharpen_single(const PlacedCore& i, const PlacedCore& j, CoreDistance& found) {
+    const bool is_single = i.shape.is_strictly_convex() || j.shape.is_strictly_convex();
+    if (is_single && !found.overlaps) sharpen(i, j, found);
+}
+
+template <class CoreI, class CoreJ>
+void sharpen_deepest(const CoreI& /*i*/, const CoreJ& /*j*/, Penetration& /*deepest*/) {}
+inline void sharpen_deepest(const PlacedCore& i, const PlacedCore& j, Penetration& deepest) {
+    if (i.shape.is_strictly_convex() || j.shape.is_strictly_convex()) sharpen(i, j, deepest);
+}
+
 /// Nearest or deepest points of a pair that touches.
 struct ConvexTouch {
     FeaturePoint point;
@@ -80,9 +93,9 @@ ConvexTouch touch_of(const CoreI& i, const CoreJ& j, const CoreDistance& found) 
     // Rims that all but touch: rounding has stopped the search.
     const double doubtful = 1e-8 * (i.size + j.size) + distance_error(i, j);
     if (found.overlaps || found.distance - found.proven > doubtful) {
-        const Penetration deep = found.overlaps
-                                     ? core_penetration(i, j)
-                                     : parted(i, j, found.normal, 1e-11 * (i.size + j.size));
+        Penetration deep = found.overlaps ? core_penetration(i, j)
+                                          : parted(i, j, found.normal, 1e-11 * (i.size + j.size));
+        if (found.overlaps) sharpen_deepest(i, j, deep);
         on_i = deep.point_i;
         touch.point.normal = deep.normal;
         deepest = touch.point.overlap = reach + deep.depth;
@@ -135,13 +148,6 @@ FeaturePoint centroid_point(const CoreI& /*i*/, const CoreJ& /*j*/, const Convex
 inline FeaturePoint centroid_point(const PlacedCore& i, const PlacedCore& j,
                                    const ConvexTouch& touch, ConvexScratch& scratch) {
     return patch_centroid(i, j, touch.point, touch.near, scratch);
-}
-
-template <class CoreI, class CoreJ>
-void sharpen_single(const CoreI& /*i*/, const CoreJ& /*j*/, CoreDistance& /*found*/) {}
-inline void sharpen_single(const PlacedCore& i, const PlacedCore& j, CoreDistance& found) {
-    const bool is_single = i.shape.is_strictly_convex() || j.shape.is_strictly_convex();
-    if (is_single && !found.overlaps) sharpen(i, j, found);
 }
 
 /// A feature that is known to be the only one: nothing is searched. False if there is none.
