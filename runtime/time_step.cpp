@@ -2,6 +2,7 @@
 #include "runtime/time_step.hpp"
 
 #include "common/error.hpp"
+#include "runtime/contact_law/hertz_mindlin.hpp"
 #include "runtime/domain.hpp"
 
 #include <algorithm>
@@ -102,6 +103,15 @@ double shortest_contact(const Scene& scene, const BodyKind& kind, const UsedMate
     return shortest;
 }
 
+// A law without slip pushes bodies apart with springs up to 1 + 2 no_slip^2 k_n / k_t times as
+// stiff (docs/contact.md, "Without slip"); with its like and with a wall a body has the same k_t /
+// k_n.
+double no_slip_factor(const ContactLaw& law, const InverseInertia& inverse) {
+    if (!(law.friction > hertz::no_slip)) return 1.0;
+    const double k_t = law.tangential_stiffness * inverse.mass / (inverse.mass + inverse.surface);
+    return 1.0 / std::sqrt(1.0 + 2.0 * square(hertz::no_slip) / k_t);
+}
+
 LinearContacts linear_contacts(const Scene& scene, const BodyKind& kind,
                                const UsedMaterials& used) {
     LinearContacts contacts;
@@ -111,8 +121,9 @@ LinearContacts linear_contacts(const Scene& scene, const BodyKind& kind,
             contacts.has_other = true;
             return;
         }
+        const double time = law.contact_time * std::sqrt(mass / law.normal_stiffness);
         contacts.shortest =
-            std::min(contacts.shortest, law.contact_time * std::sqrt(mass / law.normal_stiffness));
+            std::min(contacts.shortest, time * no_slip_factor(law, kind.inverse_inertia));
     };
     for (const std::uint32_t other : used.bodies) look_at(other, 0.5 * kind.mass);
     for (const std::uint32_t other : used.walls) look_at(other, kind.mass);

@@ -47,11 +47,13 @@ void add_normal(const FeatureSum& features, const ContactLaw& law, double dt, Pa
 }
 
 /// Twist of the contact against its torsion spring; what the tangential spring is to sliding.
-void add_torsion(const Patch& patch, const PairState& pair, const ContactLaw& law, double dt,
-                 ConvexHistory& history, PairContact& contact) {
+/// Returns the push along the normal.
+double add_torsion(const Patch& patch, const PairState& pair, const ContactLaw& law, double dt,
+                   ConvexHistory& history, PairContact& contact) {
     const double k = patch.c.k_t * patch.weight * patch.spread2;
     const double gamma = patch.c.gamma_t * patch.weight * patch.spread2;
-    const double limit = law.friction * std::abs(patch.normal_force) * std::sqrt(patch.spread2);
+    const double spread = std::sqrt(patch.spread2);
+    const double stiffness = patch.c.k_n * patch.weight * spread;
     const double rate = (pair.i.angular_velocity - pair.j.angular_velocity).dot(patch.normal);
     // Friction that is new to the patch starts without stretch: the torque stays, a part of the
     // twist goes. What leaves the patch takes its energy along.
@@ -61,17 +63,20 @@ void add_torsion(const Patch& patch, const PairState& pair, const ContactLaw& la
     history.twist_stiffness = k;
     Vec3 lead(0.0, 0.0, kept * history.twist);
     const hertz::TangentialForce t =
-        hertz::tangential_force(k, gamma, limit, Vec3(0.0, 0.0, rate), dt, lead);
+        hertz::friction_force(law, k, gamma, stiffness * patch.overlap, stiffness,
+                              patch.normal_force * spread, Vec3(0.0, 0.0, rate), dt, lead);
     history.twist = k > 0.0 ? lead.z() : 0.0;
     const Vec3 torque = t.force.z() * patch.normal;
     contact.torque_i += torque;
     contact.torque_j -= torque;
     contact.elastic_energy += t.elastic;
     contact.dissipated_energy += t.dissipated;
+    return t.push;
 }
 
-void add_friction(const Patch& patch, const PairState& pair, const ContactLaw& law, double dt,
-                  ConvexHistory& history, PairContact& contact) {
+/// Returns the push along the normal.
+double add_friction(const Patch& patch, const PairState& pair, const ContactLaw& law, double dt,
+                    ConvexHistory& history, PairContact& contact) {
     const Vec3& n = patch.normal;
     const Vec3 u = relative_velocity(pair, patch.center);
     const Vec3 u_t = u - u.dot(n) * n;
@@ -89,9 +94,10 @@ void add_friction(const Patch& patch, const PairState& pair, const ContactLaw& l
     }
     const double k_t = patch.c.k_t * patch.weight;
     contact.dissipated_energy += hertz::softening_loss(history.stiffness, k_t, spring);
-    const double limit = law.friction * std::abs(patch.normal_force);
+    const double stiffness = patch.c.k_n * patch.weight;
     const hertz::TangentialForce t =
-        hertz::tangential_force(k_t, patch.c.gamma_t * patch.weight, limit, u_t, dt, spring);
+        hertz::friction_force(law, k_t, patch.c.gamma_t * patch.weight, stiffness * patch.overlap,
+                              stiffness, patch.normal_force, u_t, dt, spring);
     history.spring = spring;
     history.stiffness = k_t;
     history.weight = patch.weight;
@@ -100,7 +106,18 @@ void add_friction(const Patch& patch, const PairState& pair, const ContactLaw& l
     contact.torque_j -= (patch.center - pair.displacement).cross(t.force);
     contact.elastic_energy += t.elastic;
     contact.dissipated_energy += t.dissipated;
-    add_torsion(patch, pair, law, dt, history, contact);
+    return t.push + add_torsion(patch, pair, law, dt, history, contact);
+}
+
+/// A force along the gradient of the overlap.
+void add_push(const FeatureSum& features, double push, PairContact& contact) {
+    if (!(push > 0.0)) return;
+    PairWrench sum;
+    sum.add(push * features.scale(), features.direction());
+    sum.add(push * features.scale(), features.of_weights());
+    contact.force += sum.force;
+    contact.torque_i += sum.torque_i;
+    contact.torque_j += sum.torque_j;
 }
 
 }  // namespace
@@ -129,7 +146,8 @@ PairContact contact_force(const FeatureSum& features, double local_radius, const
     add_normal(features, law, dt, patch, contact);
     const double elastic = hertz::elastic_share(law) * patch.c.k_n * square(patch.overlap);
     contact.elastic_energy = elastic;
-    if (law.friction > 0.0) add_friction(patch, pair, law, dt, history, contact);
+    if (law.friction > 0.0)
+        add_push(features, add_friction(patch, pair, law, dt, history, contact), contact);
     history.normal = patch.normal;
     contact.overlap = patch.overlap;
     contact.points = features.count();

@@ -2,6 +2,7 @@
 #include "common/error.hpp"
 #include "runtime/contact/sphere_sphere.hpp"
 #include "runtime/contact/sphere_wall.hpp"
+#include "runtime/contact_law/hertz_mindlin.hpp"
 #include "runtime/contact_law/pair_law.hpp"
 #include "tests/physics/two_bodies.hpp"
 
@@ -71,6 +72,32 @@ TEST(LinearLaw, GivesTheTangentialRestitution) {
         const Impact found = impact(linear_law(1e4, 0.8, e_t, options), 0.05);
         EXPECT_NEAR(found.velocity.y() / 0.05, -e_t, 3e-3);
     }
+}
+
+// Sec. "Without slip" of docs/contact.md.
+TEST(LinearLaw, ForceAndPushWithoutSlipAreTheGradientOfTheEnergy) {
+    const double k_n = 1e4;
+    const double k_t = 3e3;
+    const auto at = [&](double overlap, double stretch) {
+        Vec3 lead = stretch * Vec3::UnitY();
+        return hertz::sticking_force(k_t, 0.0, hertz::no_slip * k_n * overlap, hertz::no_slip * k_n,
+                                     Vec3::Zero(), 1e-6, lead);
+    };
+    const double overlap = 1e-6;
+    const double reach = hertz::no_slip * k_n * overlap / k_t;  // beyond, the spring lets go
+    const double h = 1e-6 * overlap;
+    for (const double stretch :
+         {0.3 * reach, 0.999 * reach, 1.001 * reach, 2.0 * reach, 1e3 * reach}) {
+        const hertz::TangentialForce t = at(overlap, stretch);
+        const double by_stretch =
+            (at(overlap, stretch + h).elastic - at(overlap, stretch - h).elastic) / (2.0 * h);
+        const double by_overlap =
+            (at(overlap + h, stretch).elastic - at(overlap - h, stretch).elastic) / (2.0 * h);
+        EXPECT_NEAR(-t.force.y(), by_stretch, 1e-4 * k_t * reach);
+        EXPECT_NEAR(t.push, by_overlap, 1e-4 * k_t * reach);
+    }
+    EXPECT_EQ(at(0.0, 1e-5).elastic, 0.0);
+    EXPECT_EQ(at(overlap, 0.9 * reach).push, 0.0);
 }
 
 TEST(LinearLaw, RefusesNumbersOutOfRange) {

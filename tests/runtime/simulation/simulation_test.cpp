@@ -2,6 +2,7 @@
 #include "runtime/simulation.hpp"
 
 #include "common/error.hpp"
+#include "runtime/contact_law/pair_law.hpp"
 #include "runtime/measure/at_rest.hpp"
 #include "runtime/measure/contact_count.hpp"
 #include "runtime/measure/energy.hpp"
@@ -287,6 +288,21 @@ TEST(TimeStep, ShrinksWithStiffTangentialSprings) {
     law.stiffness_ratio = 100.0;
     scene.laws.set(0, 0, law);
     EXPECT_NEAR(time_step(scene).rayleigh, usual / std::sqrt(350.0), 1e-12 * usual);
+}
+
+// Of spheres k_t is 2/7 k_n, and without slip a contact pushes with up to 1 + 8 k_n / k_t = 29
+// springs.
+TEST(TimeStep, ShrinksWhereNothingSlips) {
+    Scene scene = spheres_over_a_floor({at(0.0, 0.0, radius)});
+    const auto critical_at = [&](double friction) {
+        ContactLaw options;
+        options.friction = friction;
+        scene.laws.set(0, 0, linear_law(1e3, 1.0, 1.0, options));
+        return time_step(scene).linear;
+    };
+    const double usual = critical_at(2.0);
+    EXPECT_EQ(critical_at(0.1), usual);
+    EXPECT_NEAR(critical_at(2.1), usual / std::sqrt(29.0), 1e-12 * usual);
 }
 
 TEST(TimeStep, AboveTheCriticalOneIsRefusedUnlessForced) {
