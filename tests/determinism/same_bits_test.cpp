@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/random.hpp"
 #include "runtime/checkpoint/state_archive.hpp"
+#include "runtime/contact_law/pair_law.hpp"
 #include "runtime/measure/energy.hpp"
 #include "runtime/simulation.hpp"
 #include "tests/runtime/simulation/scenes.hpp"
@@ -148,6 +149,15 @@ Scene convex_mixture() {
     return scene;
 }
 
+// The same under the linear law, where nothing slips.
+Scene mixture_without_slip() {
+    Scene scene = convex_mixture();
+    ContactLaw options;
+    options.friction = 10.0;
+    scene.laws.set(0, 0, linear_law(1e4, 0.7, 0.6, options));
+    return scene;
+}
+
 class SameBits : public testing::TestWithParam<NamedScene> {
   protected:
     void TearDown() override { omp_set_num_threads(threads_before_); }
@@ -224,7 +234,8 @@ INSTANTIATE_TEST_SUITE_P(
                     NamedScene{"continuous", continuous_mixture, 1e-5, 3000},
                     NamedScene{"nodes", node_mixture, 1e-5, 3000},
                     NamedScene{"clumps", clump_mixture, 1e-5, 3000},
-                    NamedScene{"convex", convex_mixture, 1e-5, 1500}),
+                    NamedScene{"convex", convex_mixture, 1e-5, 1500},
+                    NamedScene{"no_slip", mixture_without_slip, 8e-6, 1000}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

@@ -5,35 +5,35 @@ import sys
 
 import numpy as np
 
-from packing import RAIN, arguments
-from validation import Page, Run, cook, plt
+from packing import arguments, deposit
+from validation import Page, cook, plt
 
 R, D = 25.0, 3.0  # radius of the vessel and width of every body, mm
-COUNTS = {0.25: 700, 0.5: 800, 1.0: 600, 2.0: 400, 3.0: 300}
+BATCH = 60
+BATCHES = {0.25: 30, 0.5: 26, 1.0: 20, 2.0: 14, 3.0: 12}
 SHAPES = {"cuboid": (lambda h: f"shape = cuboid\nlength = 3\nwidth = 3\nheight = {h}\n", lambda h: 9.0 * h),
           "cylinder": (lambda h: f"shape = cylinder\nradius = 1.5\nheight = {h}\n", lambda h: np.pi * 2.25 * h),
           "ellipsoid": (lambda h: f"shape = ellipsoid\na = 1.5\nb = 1.5\nc = {h / 2}\n", lambda h: 4 / 3 * np.pi * 2.25 * h / 2)}
-DEEPER = {("ellipsoid", 1.0): 3, ("ellipsoid", 0.25): 2}  # times as many: the beds of the smallest bodies would be the shallowest
-LAUNCH_SEEDS = {("cuboid", 2.0), ("cuboid", 3.0), ("cylinder", 2.0), ("cylinder", 3.0)}  # a second seed: ten runs at AR >= 2
+DEEPER = {("ellipsoid", 1.0): 2, ("ellipsoid", 0.5): 1.5}  # times as many: the beds of the smallest bodies would be the shallowest
+LAUNCH_SEEDS = {("cuboid", 2.0), ("cuboid", 3.0), ("cylinder", 2.0), ("cylinder", 3.0)}  # a second seed: ten packings at AR >= 2
 
 
-def count(shape, ratio):
-    return COUNTS[ratio] * DEEPER.get((shape, ratio), 1)
+def batches(shape, ratio):
+    return int(BATCHES[ratio] * DEEPER.get((shape, ratio), 1))
 
 
 def pack(shape, ratio, seed, reuse):
+    """The runs of a packing, one per batch."""
     template = cook("units = mm\n" + SHAPES[shape][0](D * ratio), suffix="convex")
-    low = 30 if ratio <= 1 else 45
-    case = RAIN.format(template=template, seed=seed, end=1.1, divisor=20 if ratio > 0.25 else 10, count=count(shape, ratio),
-                       batch=count(shape, ratio) // 16, every=40, radius=R, inner=R - 4, low=low, high=low + 30, frames=100)
-    return Run(f"convex_{shape}_{ratio}_{seed}", case, "--threads", "1", reuse=reuse)
+    return deposit(f"convex_{shape}_{ratio}_{seed}", [template] * batches(shape, ratio), BATCH, 15 if ratio <= 1 else 30, seed, reuse,
+                   radius=R, inner=R, end=1, divisor=20 if ratio == 1 and shape != "ellipsoid" else 10)
 
 
 class Bed:
-    """Centers (mm) and directions of a finished run; which points lie inside a body, by the formulas of the sharp shapes."""
+    """Centers (mm) and directions of a finished packing; which points lie inside a body, by the formulas of the sharp shapes."""
 
-    def __init__(self, run, shape, ratio):
-        final = run.final
+    def __init__(self, runs, shape, ratio):
+        final = runs[-1].final
         self.shape, self.half = shape, D * ratio / 2
         self.x = 1e3 * np.stack([final[c] for c in "xyz"], axis=1)
         w, a, b, c = (final[q] for q in ("qw", "qx", "qy", "qz"))
@@ -41,12 +41,15 @@ class Bed:
                               np.stack([2 * (a * b + w * c), 1 - 2 * (a * a + c * c), 2 * (b * c - w * a)], 1),
                               np.stack([2 * (a * c - w * b), 2 * (b * c + w * a), 1 - 2 * (a * a + b * b)], 1)], 1)
         self.director = self.axes[:, :, 2]
-        self.surface = 1e3 * run.history["height_surface"][-1]
+        self.surface = 1e3 * runs[-1].history["height_surface"][-1]
 
     def layer(self):
-        """Heights that are half a body inside of floor and surface [mm]."""
-        margin = min(D / 2, self.half)
-        return margin, self.surface - margin
+        """Heights between which neither floor nor surface order the bodies [mm]."""
+        return 0.2 * self.surface, 0.85 * self.surface
+
+    def is_in_layer(self):
+        low, high = self.layer()
+        return (self.x[:, 2] > low) & (self.x[:, 2] < high)
 
     def inside(self, points):
         """Which of the points (n, 3), in mm, lie in a body."""
@@ -103,69 +106,66 @@ class Bed:
         return radius, self.x * (1, 1, 0) / np.maximum(radius, 1e-9)[:, None]
 
 
-def speed(final):
-    return np.sqrt(np.mean(sum(final[c]**2 for c in ("vx", "vy", "vz"))))
-
-
 def order_in_wall_plane(bed, angles):
     """S_2 and S_4 with a direction at an angle from the azimuthal one in the plane of azimuth and height ([GC] App. B)."""
     _, r = bed.radial()
     azimuth = np.stack([-r[:, 1], r[:, 0], np.zeros(len(r))], 1)
-    return np.array([[s.mean() for s in bed.along(np.cos(a) * azimuth + np.sin(a) * np.array([0, 0, 1.0]))] for a in angles])
+    layer = bed.is_in_layer()
+    return np.array([[s[layer].mean() for s in bed.along(np.cos(a) * azimuth + np.sin(a) * np.array([0, 0, 1.0]))] for a in angles])
 
 
 def main():
     options = arguments()
-    jobs = [(shape, ratio, 1) for ratio in (1.0, 3.0, 2.0, 0.5, 0.25) for shape in SHAPES] + [(s, r, 2) for s, r in sorted(LAUNCH_SEEDS)]
+    jobs = [(shape, ratio, 1) for ratio in (1.0, 3.0, 0.25, 2.0, 0.5) for shape in SHAPES] + [(s, r, 2) for s, r in sorted(LAUNCH_SEEDS)]
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         runs = dict(zip(jobs, pool.map(lambda job: pack(*job, options.reuse), jobs)))
     beds = {job: Bed(run, *job[:2]) for job, run in runs.items()}
     page = Page("convex_packings", "Loose packings of cuboids, cylinders and ellipsoids")
     page.text(f"""
-Bodies {D:g} mm wide and 0.25 to 3 times as high rain into a cylinder of radius {R:g} mm, sixteen batches 40 ms apart, with the contact
-parameters of [GC] Table 7: k_n = 1e4 N/m, e_n = 0.8, e_t = 0.6, friction 0.1; density, which the paper does not give, 2500 kg/m^3; the
-time step is the automatic one, t_c / 50, and twice that for aspect ratio 0.25. The paper froze its batches once they lay still; here all
-bodies move to the end. Aspect ratio 0.25: plates, coins and lenses; 3: rods and cigars. Solid fractions by 60 000 points from half a body
-(half of the smaller of its width and height) above the floor to half a body below the mean surface, by the formulas of the sharp shapes
-and not by the program's own queries. The beds are shallow: that layer is two to eight bodies thick, so that
-where it begins and ends moves the fraction by some hundredths.""")
+Bodies {D:g} mm wide and 0.25 to 3 times as high in a cylinder of radius {R:g} mm, with the contact parameters of [GC] Table 7: k_n = 1e4
+N/m, e_n = 0.8, e_t = 0.6, friction 0.1; density, which the paper does not give, 2500 kg/m^3; the time step is t_c / 50 for cubes and
+cylinders of aspect ratio 1, else t_c / 25. Filled as in the paper: batches of {BATCH} fall onto the bed and are frozen there once they lie still, so
+that the next one falls onto a bed that does not move. Aspect ratio 0.25: plates, coins and lenses; 3: rods and cigars. Solid fractions by 60 000
+points from 0.2 to 0.85 of the bed's height, by the formulas of the sharp shapes and not by the program's own queries; order of the bodies
+whose centers lie there.""")
 
     rows, solid = [], {}
     for shape in SHAPES:
-        for ratio in COUNTS:
-            run, bed = runs[shape, ratio, 1], beds[shape, ratio, 1]
+        for ratio in BATCHES:
+            packing, bed = runs[shape, ratio, 1], beds[shape, ratio, 1]
             low, high = bed.layer()
             solid[shape, ratio] = [bed.solid(0, R, low, high), bed.solid(R - D, R, low, high), bed.solid(0, R - D, low, high)]
-            rows.append([shape, ratio, len(bed.x), f"{bed.surface:.1f}", *(f"{s:.3f}" for s in solid[shape, ratio]), f"{run.summary['time']:.2f}",
-                         f"{1e3 * speed(run.final):.2g}", f"{run.history['largest_relative_overlap'].max():.3f}", run.summary["core_overlaps"]])
-    page.table(["shape", "aspect ratio", "bodies", "mean surface [mm]", "solid fraction", "near the wall", "core", "simulated [s]", "rms velocity at the end [mm/s]",
+            rows.append([shape, ratio, len(bed.x), f"{bed.surface:.1f}", *(f"{s:.3f}" for s in solid[shape, ratio]),
+                         f"{sum(r.summary['end'] == 'at_rest' for r in packing)} of {len(packing)}",
+                         f"{max(r.history['largest_relative_overlap'].max() for r in packing):.3f}", sum(r.summary["core_overlaps"] for r in packing)])
+    page.table(["shape", "aspect ratio", "bodies", "mean surface [mm]", "solid fraction", "near the wall", "core", "batches that came to rest",
                 "largest overlap / d_eq", "contacts with overlapping cores"], rows)
 
-    inside = {job: (len(b.x) == count(*job[:2]) and b.x[:, 2].max() < b.surface + 15 and np.hypot(b.x[:, 0], b.x[:, 1]).max() < R and b.x[:, 2].min() > 0)
+    inside = {job: (len(b.x) == BATCH * batches(*job[:2]) and b.x[:, 2].max() < b.surface + 15 and np.hypot(b.x[:, 0], b.x[:, 1]).max() < R and b.x[:, 2].min() > 0)
               for job, b in beds.items()}
     elongated = [job for job in jobs if job[1] >= 2]
-    page.claim(f"no body is launched in {len(elongated)} runs of aspect ratio 2 or more ([GC] Sec. 7.1: about once or twice per run): all inside the "
+    page.claim(f"no body is launched in {len(elongated)} packings of aspect ratio 2 or more ([GC] Sec. 7.1: about once or twice per run): all inside the "
                f"vessel and on the bed at the end; one that left the domain would have ended its run. {sum(j[2] == 2 for j in jobs)} of them are second "
                "seeds, which the table leaves out", all(inside[j] for j in elongated))
-    page.claim(f"nor in the other {len(jobs) - len(elongated)} runs", all(inside[j] for j in jobs if j not in elongated))
-    e = {ratio: solid["ellipsoid", ratio][2] for ratio in COUNTS}
+    page.claim(f"nor in the other {len(jobs) - len(elongated)}", all(inside[j] for j in jobs if j not in elongated))
+    e = {ratio: solid["ellipsoid", ratio][2] for ratio in BATCHES}
     page.claim(f"ellipsoids: spheres pack loosest, [GC] Fig. 12 c (core {e[0.5]:.3f} at 0.5, {e[1.0]:.3f} at 1, {e[2.0]:.3f} at 2)", e[1.0] < min(e[0.5], e[2.0]))
-    c = {ratio: solid["cylinder", ratio][0] for ratio in COUNTS}
-    page.shortfall(f"cylinders: densest at aspect ratio 1 of the five, [GC] Fig. 12 b ({', '.join(f'{c[r]:.3f}' for r in COUNTS)})", max(c, key=c.get) == 1.0)
-    q = {ratio: solid["cuboid", ratio][0] for ratio in COUNTS}
-    page.claim(f"cuboids: looser beyond aspect ratio 2, [GC] Fig. 12 a ({', '.join(f'{q[r]:.3f}' for r in COUNTS)})", q[3.0] < q[2.0])
+    c = {ratio: solid["cylinder", ratio][0] for ratio in BATCHES}
+    page.shortfall(f"cylinders: densest at aspect ratio 1 of the five, [GC] Fig. 12 b ({', '.join(f'{c[r]:.3f}' for r in BATCHES)})", max(c, key=c.get) == 1.0)
+    q = {ratio: solid["cuboid", ratio][0] for ratio in BATCHES}
+    page.claim(f"cuboids: looser beyond aspect ratio 2, [GC] Fig. 12 a ({', '.join(f'{q[r]:.3f}' for r in BATCHES)})", q[3.0] < q[2.0])
 
     figure, axes = plt.subplots(1, 3, figsize=(9, 3), sharey=True)
     for ax, shape in zip(axes, SHAPES):
         for k, label in enumerate(("all", "near the wall", "core")):
-            ax.plot(list(COUNTS), [solid[shape, ratio][k] for ratio in COUNTS], "o-", label=label)
+            ax.plot(list(BATCHES), [solid[shape, ratio][k] for ratio in BATCHES], "o-", label=label)
         ax.set(title=shape, xlabel="aspect ratio")
     axes[0].set(ylabel="solid fraction")
     axes[0].legend()
     page.plot(figure, "_solid", "Solid fraction against aspect ratio, [GC] Fig. 12")
 
     figure, axes = plt.subplots(5, 1, figsize=(6.4, 10), sharex=True, sharey=True)
-    for ax, ratio in zip(axes, COUNTS):
+    for ax, ratio in zip(axes, BATCHES):
         for shape, color in zip(SHAPES, ("C3", "C2", "C0")):
             bed = beds[shape, ratio, 1]
             distance, profile = bed.porosity(*bed.layer())
@@ -182,7 +182,7 @@ where it begins and ends moves the fraction by some hundredths.""")
             bed = beds[shape, ratio, 1]
             radius, r = bed.radial()
             bins = np.arange(0, 8.5, 1.0)
-            which = np.digitize((R - radius) / D, bins)
+            which = np.where(bed.is_in_layer(), np.digitize((R - radius) / D, bins), -1)
             for row, s in enumerate(bed.along(r)):
                 means = [s[which == b].mean() if (which == b).any() else np.nan for b in range(1, len(bins))]
                 near[shape, ratio, row] = means[0] if ratio < 3 else np.nanmean(means[:2])
@@ -210,10 +210,6 @@ where it begins and ends moves the fraction by some hundredths.""")
     page.plot(figure, "_plane", "Order in the plane of azimuth and height, [GC] Fig. 16")
     s4 = order_in_wall_plane(beds["cylinder", 1.0, 1], np.radians([0, 45, 90]))[:, 1]
     page.shortfall(f"cylinders of aspect ratio 1: S_4 at 45 degrees 0.1 to 0.2 ({s4[1]:.3f}; {s4[0]:.3f} at 0, {s4[2]:.3f} at 90)", 0.1 <= s4[1] <= 0.2)
-    page.text("""
-The beds are shallow, two to nineteen millimetres: the floor, on which flat bodies lie with their axes upright, orders them as much as the wall
-does. What [GC] describe of the order at the wall needs deeper beds than the few hundred bodies of these runs, and the solid fractions of the
-shallowest would be surer.""")
     return page.finish()
 
 

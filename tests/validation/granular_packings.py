@@ -1,25 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Loose packings of sand and of woodchips ([GC] Sec. 8): solid fractions."""
+"""Loose packings of sand and of woodchips ([GC] Sec. 8): solid fractions, by the paper's way of filling and with every grain free to move."""
 import concurrent.futures
 import sys
 
 import numpy as np
 
-from packing import GRAINS, RAIN, arguments
+from packing import GRAINS, RAIN, arguments, bed_of, deposit
 from validation import Page, Run, plt, shapegen
 
-SAND = {"count": 500, "radius": 25, "inner": 24, "low": 50, "high": 75, "batch": 40}
-CHIPS = {"count": 300, "radius": 10, "inner": 9.8, "low": 60, "high": 100, "batch": 30}
-SEEDS = 1  # the three packings take an hour together
+SAND = {"radius": 25, "inner": 24, "batch": 60, "batches": 24, "count": 500, "rain": 40, "low": 50, "high": 75}
+CHIPS = {"radius": 10, "inner": 9.8, "batch": 20, "batches": 40, "count": 300, "rain": 30, "low": 60, "high": 100}
 PACKINGS = {"sand_sphere": (("sand",), SAND, 0.546), "sand_ellipsoid": (("sand", "--template", "ellipsoid"), SAND, 0.550),
             "woodchips": (("woodchips",), CHIPS, 0.382)}
-
-
-def pack(name, seed, reuse):
-    kind, vessel, _ = PACKINGS[name]
-    template = shapegen(f"granular_{name}_{seed}", "generate", *kind, "--count", str(vessel["count"]), "--seed", str(seed))
-    return Run(f"granular_{name}_{seed}", RAIN.format(template=template, seed=seed, end=4, divisor=20, every=60, frames=20, **vessel), "--threads", "1", reuse=reuse)
-
+WAYS = ("frozen", "free")
 
 LOOK = GRAINS + """
 [run]
@@ -32,12 +25,7 @@ normal_stiffness = 1e-9
 restitution = 1
 tangential_restitution = 1
 friction = 0
-[particles.grains]
-template = {template}
-material = grain
-insert = file
-file = {final}
-overlaps = allow
+{bed}
 [output]
 picture = no
 [measure.whole]
@@ -49,53 +37,68 @@ top = {top} mm
 """
 
 
-def look(name, seed, run):
-    """Solid fractions of the bed at rest: up to its highest point, and of the layer that leaves out a quarter of the height of its mean
-    surface at the bottom and at the top. By one step of a run that begins with its end, without any force to speak of."""
-    surface = 1e3 * run.history["height_surface"][-1]
-    case = LOOK.format(template=run.directory.with_suffix(".tpl"), final=run.directory / "final.csv", radius=PACKINGS[name][1]["radius"],
-                       bottom=0.25 * surface, top=0.75 * surface)
-    return Run(f"granular_{name}_{seed}_look", case, "--threads", "1").history
+def grains(name, way, part, count):
+    """A library of unique grains; of every batch its own."""
+    kind = PACKINGS[name][0]
+    return shapegen(f"granular_{name}_{way}_{part}", "generate", *kind, "--count", str(count), "--seed", str(part + 1))
+
+
+class Packing:
+    """A bed at rest: solid fractions up to its highest point and of the layer that leaves out a quarter of the height of its mean surface at the
+    bottom and at the top, by one step of a run that begins with its end."""
+
+    def __init__(self, name, way, reuse):
+        vessel = PACKINGS[name][1]
+        if way == "frozen":
+            templates = [grains(name, way, k, vessel["batch"]) for k in range(vessel["batches"])]
+            self.runs = deposit(f"granular_{name}_frozen", templates, vessel["batch"], 15, 1, reuse, radius=vessel["radius"], inner=vessel["inner"],
+                                end=1.5, divisor=20)
+        else:
+            templates = [grains(name, way, 0, vessel["count"])]
+            case = RAIN.format(template=templates[0], seed=1, end=4, divisor=20, every=60, frames=20, **(vessel | {"batch": vessel["rain"]}))
+            self.runs = [Run(f"granular_{name}_free", case.replace("particles.grains", "particles.rain"), "--threads", "1", reuse=reuse)]
+        last = self.runs[-1]
+        self.surface, self.highest = (1e3 * last.history[c][-1] for c in ("height_surface", "height_highest"))
+        case = LOOK.format(bed=bed_of(templates, self.runs), radius=vessel["radius"], bottom=0.25 * self.surface, top=0.75 * self.surface)
+        look = Run(f"granular_{name}_{way}_look", case, "--threads", "1").history
+        self.bulk, self.near_wall, self.core, self.whole = (look[c][-1] for c in ("bulk_solid_fraction", "bulk_near_wall", "bulk_core", "whole_solid_fraction"))
+        self.count = len(last.final["x"])
+        self.all_grains = vessel["batch"] * vessel["batches"] if way == "frozen" else vessel["count"]
+        self.core_overlaps = sum(r.summary["core_overlaps"] for r in self.runs)
+        self.at_rest = sum(r.summary["end"] == "at_rest" for r in self.runs)
 
 
 def main():
     options = arguments()
-    jobs = [(name, seed) for name in PACKINGS for seed in range(1, SEEDS + 1)]
+    jobs = [(name, way) for way in WAYS for name in PACKINGS]
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        runs = dict(zip(jobs, pool.map(lambda job: pack(*job, options.reuse), jobs)))
-    looks = {job: look(*job, run) for job, run in runs.items()}
-    seeds = range(1, SEEDS + 1)
+        beds = dict(zip(jobs, pool.map(lambda job: Packing(*job, options.reuse), jobs)))
     page = Page("granular_packings", "Loose packings of sand and of woodchips")
     page.text("""
 Grains as [GC] Section 8 makes them (`shapegen generate`), no two alike, with its contact parameters: k_n = 1e4 N/m, e_n = 0.8, e_t = 0.6,
-friction 0.1; the density, which the paper does not give, 2500 kg/m^3. They rain into vessels of 25 mm (sand) and 10 mm radius (woodchips) and come to
-rest together; the paper froze each batch before the next one fell. Solid fractions are shares of 40 000 points that lie in a grain by its exact
-shape (`kind = solid_fraction`): of the middle half of the bed's height, and from the floor up to the highest point. The paper does not say where its bed
-begins and ends; the beds are a few grains deep. With a friction of 0.1 and every grain free to move until all lie still, grains pack more densely than
-the paper's; up to the highest point, the air over a rough surface included, woodchips fill about what the paper states.""")
+friction 0.1; the density, which the paper does not give, 2500 kg/m^3. Vessels of 25 mm (sand) and 10 mm radius (woodchips). They are filled in two ways:
+as in the paper, batches of 60 grains (20 woodchips) that are frozen once they lie still, so that the next one falls onto a bed that does not
+move; and as in nature, with every grain free to move until all lie still. Solid fractions are shares of 40 000 points that lie in a grain by its exact
+shape (`kind = solid_fraction`): of the middle half of the bed's height, and from the floor up to the highest point.""")
     rows = []
+    for (name, way), bed in beds.items():
+        rows.append([name.replace("_", ", "), way, bed.count, PACKINGS[name][2], f"{bed.bulk:.3f}", f"{bed.near_wall:.3f}", f"{bed.core:.3f}", f"{bed.whole:.3f}",
+                     f"{bed.surface:.1f}", f"{bed.highest:.1f}", bed.core_overlaps, f"{bed.at_rest} of {len(bed.runs)}"])
+    page.table(["grains", "bed", "number", "[GC]", "middle half of the height", "the same near the wall", "the same in the core", "up to the highest point",
+                "mean surface [mm]", "highest point [mm]", "contacts with overlapping cores", "runs that came to rest"], rows)
+    for (name, way), bed in beds.items():
+        label = f"{name.replace('_', ', ')}, {way}"
+        page.claim(f"{label}: no grain was lost ({bed.count} of {bed.all_grains})", bed.count == bed.all_grains)
+    for name, (_, _, paper) in PACKINGS.items():
+        bulk = beds[name, "frozen"].bulk
+        page.claim(f"{name.replace('_', ', ')}: filled as in the paper, solid fraction of the middle half within 0.03 of its {paper} ({bulk:.3f})", abs(bulk - paper) < 0.03)
     figure, axes = plt.subplots()
-    for k, (name, (_, vessel, paper)) in enumerate(PACKINGS.items()):
-        group = [runs[name, seed] for seed in seeds]
-        def column(key):
-            return [looks[name, seed][key][-1] for seed in seeds]
-        bulk, whole = column("bulk_solid_fraction"), column("whole_solid_fraction")
-        rows.append([name.replace("_", ", "), len(group[0].final["x"]), paper, f"{np.mean(bulk):.3f}", f"{np.mean(column('bulk_near_wall')):.3f}",
-                     f"{np.mean(column('bulk_core')):.3f}", f"{np.mean(whole):.3f}",
-                     ", ".join(f"{1e3 * r.history['height_surface'][-1]:.1f}" for r in group),
-                     ", ".join(f"{1e3 * r.history['height_highest'][-1]:.1f}" for r in group),
-                     sum(r.summary["core_overlaps"] for r in group), ", ".join(f"{r.summary['end'].replace('_', ' ')}, {r.summary['time']:.2f} s" for r in group)])
-        axes.plot([k - 0.1] * len(bulk), bulk, "o", color="C0", label=None if k else "middle half of the height")
-        axes.plot([k - 0.1] * len(whole), whole, "s", color="C1", label=None if k else "up to the highest point")
+    for k, (name, (_, _, paper)) in enumerate(PACKINGS.items()):
+        for way, color, shift in (("frozen", "C0", -0.1), ("free", "C1", 0.0)):
+            bed = beds[name, way]
+            axes.plot([k + shift], [bed.bulk], "o", color=color, label=None if k else f"{way}, middle half of the height")
+            axes.plot([k + shift], [bed.whole], "s", color=color, mfc="none", label=None if k else f"{way}, up to the highest point")
         axes.plot([k + 0.1], [paper], "k_", ms=20, label=None if k else "[GC] Table 8")
-        placed = min(len(r.final["x"]) for r in group)
-        label = name.replace("_", ", ")
-        page.claim(f"{label}: no grain was lost in {len(group)} run{'s' if len(group) > 1 else ''} ({placed} of {vessel['count']})",
-                   placed == vessel["count"])
-        page.shortfall(f"{label}: solid fraction of the middle half within 0.03 of the paper's {paper} ({np.mean(bulk):.3f})",
-                       abs(np.mean(bulk) - paper) < 0.03)
-    page.table(["grains", "number", "[GC]", "middle half of the height", "the same near the wall", "the same in the core", "up to the highest point",
-                "mean surface [mm]", "highest point [mm]", "contacts with overlapping cores", "ended"], rows)
     axes.set(xticks=range(len(PACKINGS)), xticklabels=[n.replace("_", ", ") for n in PACKINGS], ylabel="solid fraction")
     axes.legend()
     page.plot(figure, "", "Solid fractions")

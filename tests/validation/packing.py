@@ -2,6 +2,7 @@
 """Shared by the packing cases: a case of data/cases run with several seeds, its fill heights."""
 import argparse
 import concurrent.futures
+import csv
 import os
 
 import numpy as np
@@ -50,6 +51,42 @@ history_every = 5 ms
 kind = fill_height
 every = 20 ms
 """
+# One batch that falls onto what has come to rest before.
+BATCH = GRAINS + """
+[run]
+end_time = {end} s
+stop = at_rest
+time_step_divisor = {divisor}
+seed = {seed}
+[contact]
+model = linear
+normal_stiffness = 1e4
+restitution = 0.8
+tangential_restitution = 0.6
+friction = 0.1
+[particles.rain]
+template = {template}
+material = grain
+count = {batch}
+region = cylinder 0 0 {low} mm  0 0 {high} mm  {inner} mm
+{bed}
+[output]
+frames_every = 50 ms
+history_every = 5 ms
+picture = {picture}
+[measure.height]
+kind = fill_height
+every = 20 ms
+"""
+BED = """
+[particles.bed_{number}]
+template = {template}
+material = grain
+insert = file
+file = {file}
+fixed = yes
+overlaps = allow
+"""
 AUTO = ("run.time_step=auto",)
 
 
@@ -75,6 +112,35 @@ def pack(name, template, options, seeds, variant="", settings=(), kind=None):
 
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         return list(pool.map(one, range(1, seeds + 1)))
+
+
+def bed_of(templates, runs):
+    """Sections of a case: the bodies that `runs` let fall, frozen where they came to rest."""
+    return "".join(BED.format(number=k, template=template, file=frozen(run)) for k, (template, run) in enumerate(zip(templates, runs)))
+
+
+def frozen(run):
+    """A table of the bodies that a run let fall, without their velocities."""
+    path = run.directory / "frozen.csv"
+    columns = "template x y z qw qx qy qz".split()
+    with open(run.directory / "final.csv", newline="") as source, open(path, "w", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(columns)
+        writer.writerows([row[c] for c in columns] for row in csv.DictReader(source) if row["group"] == "rain")
+    return path
+
+
+def deposit(name, templates, batch, fall, seed, reuse, **case):
+    """The packing of [GC] Sec. 7.1: batch after batch falls onto the bed and is frozen there once it lies still. `templates`: one per batch;
+    `fall`: height of the room above the bed that a batch starts in [mm]. Returns the runs, one per batch; the last one's final.csv
+    holds the bed."""
+    runs, top = [], 0.0
+    for k, template in enumerate(templates):
+        text = BATCH.format(template=template, batch=batch, seed=1000 * seed + k, low=top + 2, high=top + 2 + fall, bed=bed_of(templates, runs),
+                            picture="yes" if k + 1 == len(templates) else "no", **case)
+        runs.append(Run(f"{name}_{k}", text, "--threads", "1", reuse=reuse))
+        top = 1e3 * runs[-1].history["height_highest"][-1]
+    return runs
 
 
 def heights(runs):
