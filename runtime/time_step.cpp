@@ -2,7 +2,6 @@
 #include "runtime/time_step.hpp"
 
 #include "common/error.hpp"
-#include "runtime/contact_law/hertz_mindlin.hpp"
 #include "runtime/domain.hpp"
 
 #include <algorithm>
@@ -32,7 +31,7 @@ double hertz_time(double m, double R, double Y, double speed) {
     return 2.8683 * std::pow(square(m) / (R * square(Y) * speed), 0.2);
 }
 
-// Shortest contact of a body under the linear law, and whether it has another law as well.
+// Longest step of a body under the linear law, and whether it has another law as well.
 struct LinearContacts {
     double shortest = infinite;
     bool has_other = false;
@@ -103,13 +102,11 @@ double shortest_contact(const Scene& scene, const BodyKind& kind, const UsedMate
     return shortest;
 }
 
-// A law without slip pushes bodies apart with springs up to 1 + 2 no_slip^2 k_n / k_t times as
-// stiff (docs/contact.md, "Without slip"); with its like and with a wall a body has the same k_t /
-// k_n.
-double no_slip_factor(const ContactLaw& law, const InverseInertia& inverse) {
-    if (!(law.friction > hertz::no_slip)) return 1.0;
-    const double k_t = law.tangential_stiffness * inverse.mass / (inverse.mass + inverse.surface);
-    return 1.0 / std::sqrt(1.0 + 2.0 * square(hertz::no_slip) / k_t);
+// The longest step of a linear contact, in units of sqrt(m/k_n): 0.4 of its duration, or less where
+// a strong dashpot would make it diverge; zeta is the share of critical damping.
+double linear_limit(const ContactLaw& law) {
+    const double zeta = 0.5 * law.damping;
+    return std::min(0.4 * law.contact_time, 1.6 * (std::sqrt(1.0 + square(zeta)) - zeta));
 }
 
 LinearContacts linear_contacts(const Scene& scene, const BodyKind& kind,
@@ -121,9 +118,8 @@ LinearContacts linear_contacts(const Scene& scene, const BodyKind& kind,
             contacts.has_other = true;
             return;
         }
-        const double time = law.contact_time * std::sqrt(mass / law.normal_stiffness);
         contacts.shortest =
-            std::min(contacts.shortest, time * no_slip_factor(law, kind.inverse_inertia));
+            std::min(contacts.shortest, linear_limit(law) * std::sqrt(mass / law.normal_stiffness));
     };
     for (const std::uint32_t other : used.bodies) look_at(other, 0.5 * kind.mass);
     for (const std::uint32_t other : used.walls) look_at(other, kind.mass);
@@ -157,7 +153,7 @@ TimeStep time_step(const Scene& scene) {
     for (const BodyKind& kind : scene.kinds) {
         if (kind.inverse_inertia.mass == 0.0) continue;
         const LinearContacts linear = linear_contacts(scene, kind, used);
-        step.linear = std::min(step.linear, 0.4 * linear.shortest);
+        step.linear = std::min(step.linear, linear.shortest);
         if (!linear.has_other) continue;
         const double factor = tangential_factor(scene, kind, used);
         const double radius = equivalent_radius(scene, kind);

@@ -14,7 +14,8 @@ struct TimeStep {
     double rayleigh = 0.0;  ///< T_R of the smallest body, less for stiff tangential springs [s]
     double hertz = 0.0;     ///< T_H, the shortest contact at the largest speed, likewise [s]
     /// 0.4 of the shortest contact of `model = linear`, so that the usual twentieth of it is t_c/50
-    /// [s]; off the centers contacts are half as long, and steps above 2/pi of them diverge.
+    /// [s]; off the centers contacts are half as long, and steps above 2/pi of them diverge. Less
+    /// where the restitution is below a half: strong dashpots diverge earlier.
     double linear = 0.0;
     /// In which the fastest body or wall travels the radius of the smallest body, or a wall
     /// oscillates half a period [s].

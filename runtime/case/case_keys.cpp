@@ -22,9 +22,10 @@ constexpr Key run_keys[] = {
      .range = positive,
      .standard = "auto",
      .words = "auto",
-     .doc = "`auto`: the critical time over `time_step_divisor`: the smaller of Rayleigh's and "
-            "Hertz's "
-            "time, 0.4 of the contact time of `model = linear`"},
+     .doc =
+         "`auto`: the critical time over `time_step_divisor`: the smaller of Rayleigh's and "
+         "Hertz's "
+         "time, with `model = linear` 0.4 of its contact time, less for a restitution below 0.5"},
     {.name = "time_step_divisor",
      .range = {.low = 1.0},
      .standard = "20",
@@ -103,8 +104,7 @@ constexpr Key contact_keys[] = {
      .doc = "coefficient of normal restitution; needed for every pair of materials that can meet"},
     {.name = "friction",
      .range = not_negative,
-     .doc = "Coulomb's coefficient of sliding friction; needed likewise; above 2 with "
-            "`model = linear`: no slip at all"},
+     .doc = "Coulomb's coefficient of sliding friction; needed likewise"},
     {.name = "tangential",
      .type = choice,
      .standard = "ratio",

@@ -100,7 +100,7 @@ void describe(const Scene& scene, const InsertionGroup& group, std::ostringstrea
 std::string origin(const TimeStep& step) {
     std::ostringstream speed;
     speed << step.largest_speed << " m/s";
-    if (step.critical == step.linear) return "0.4 of the linear law's contact";
+    if (step.critical == step.linear) return "the limit of the linear law";
     if (step.critical == step.rayleigh) return "Rayleigh's";
     if (step.critical == step.hertz) return "Hertz's at " + speed.str();
     return "of the motion: one radius at " + speed.str() + ", half a period of a wall";

@@ -186,7 +186,9 @@ struct ConvexHistory {
     double stiffness = 0.0;         ///< of the spring in the step before [N/m]
     double twist_stiffness = 0.0;   ///< [N m]
     double weight = 0.0;            ///< of the features together in the step before
-    SearchStart search;             ///< where the search for the distance starts
+    double deepest = 0.0;           ///< overlap so far [m]; with `held` for laws without slip only
+    double held = 0.0;   ///< longest spring over overlap, while that was no less than half
+    SearchStart search;  ///< where the search for the distance starts
     LoneFeature lone;
     NearEnds ends_of_i{}, ends_of_j{};
     Leash leash;                  ///< of what is known of the features

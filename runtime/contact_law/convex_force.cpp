@@ -47,13 +47,11 @@ void add_normal(const FeatureSum& features, const ContactLaw& law, double dt, Pa
 }
 
 /// Twist of the contact against its torsion spring; what the tangential spring is to sliding.
-/// Returns the push along the normal.
-double add_torsion(const Patch& patch, const PairState& pair, const ContactLaw& law, double dt,
-                   ConvexHistory& history, PairContact& contact) {
+void add_torsion(const Patch& patch, const PairState& pair, const ContactLaw& law, double dt,
+                 ConvexHistory& history, PairContact& contact) {
     const double k = patch.c.k_t * patch.weight * patch.spread2;
     const double gamma = patch.c.gamma_t * patch.weight * patch.spread2;
-    const double spread = std::sqrt(patch.spread2);
-    const double stiffness = patch.c.k_n * patch.weight * spread;
+    const double limit = law.friction * std::abs(patch.normal_force) * std::sqrt(patch.spread2);
     const double rate = (pair.i.angular_velocity - pair.j.angular_velocity).dot(patch.normal);
     // Friction that is new to the patch starts without stretch: the torque stays, a part of the
     // twist goes. What leaves the patch takes its energy along.
@@ -63,20 +61,65 @@ double add_torsion(const Patch& patch, const PairState& pair, const ContactLaw& 
     history.twist_stiffness = k;
     Vec3 lead(0.0, 0.0, kept * history.twist);
     const hertz::TangentialForce t =
-        hertz::friction_force(law, k, gamma, stiffness * patch.overlap, stiffness,
-                              patch.normal_force * spread, Vec3(0.0, 0.0, rate), dt, lead);
+        hertz::tangential_force(k, gamma, limit, Vec3(0.0, 0.0, rate), dt, lead);
     history.twist = k > 0.0 ? lead.z() : 0.0;
     const Vec3 torque = t.force.z() * patch.normal;
     contact.torque_i += torque;
     contact.torque_j -= torque;
     contact.elastic_energy += t.elastic;
     contact.dissipated_energy += t.dissipated;
-    return t.push;
 }
 
-/// Returns the push along the normal.
-double add_friction(const Patch& patch, const PairState& pair, const ContactLaw& law, double dt,
-                    ConvexHistory& history, PairContact& contact) {
+/// How many overlaps long the spring of a contact without slip may be before it lets go: no less
+/// than a force of no_slip normal ones stretches it, and than it has been in the loaded contact.
+/// `stretch`: its length now [m].
+double held_ratio(const Patch& patch, double stretch, double dt, ConvexHistory& history) {
+    // A contact that stays forgets how it began.
+    if (history.phase > hertz::settled_phase)
+        history.deepest *= 1.0 - std::min(1.0, patch.c.frequency * dt / hertz::drift_phase);
+    history.deepest = std::max(history.deepest, patch.overlap);
+    if (patch.overlap >= 0.5 * history.deepest)
+        history.held = std::max(history.held, stretch / patch.overlap);
+    return std::max(hertz::no_slip * patch.c.k_n / patch.c.k_t, 1.05 * history.held);
+}
+
+/// A spring longer than this many overlaps would push so hard that a step cannot follow: the push
+/// is as stiff as 2 ratio^2 k_t / k_n normal springs.
+double longest_ratio(const Patch& patch, double dt) {
+    return std::sqrt(0.5 * patch.c.k_n / patch.c.k_t) / (patch.c.frequency * dt);
+}
+
+/// The spring and dashpot along the surface; in a contact without slip that ends while the spring
+/// is stretched, the spring gives its energy back as a push along the gradient of the overlap.
+hertz::TangentialForce spring_force(const Patch& patch, const FeatureSum& features,
+                                    const ContactLaw& law, const Vec3& u_t, double dt,
+                                    ConvexHistory& history, Vec3& lead, PairContact& contact) {
+    const double k_t = patch.c.k_t * patch.weight;
+    const double gamma_t = patch.c.gamma_t * patch.weight;
+    const double limit = law.friction * std::abs(patch.normal_force);
+    if (!hertz::gives_back(law) || !(k_t > 0.0))
+        return hertz::tangential_force(k_t, gamma_t, limit, u_t, dt, lead);
+    const Vec3 half_way = 0.5 * dt * u_t;
+    const Vec3 spring = lead + half_way;
+    const double length = spring.norm();
+    const double ratio = held_ratio(patch, length, dt, history);
+    if (ratio > longest_ratio(patch, dt) || !(length > ratio * patch.overlap))
+        return hertz::tangential_force(k_t, gamma_t, limit, u_t, dt, lead);
+    const hertz::LettingGo go = hertz::letting_go(k_t, length, ratio, patch.overlap);
+    PairWrench push;
+    push.add(go.push * features.scale(), features.direction());
+    push.add(go.push * features.scale(), features.of_weights());
+    contact.force += push.force;
+    contact.torque_i += push.torque_i;
+    contact.torque_j += push.torque_j;
+    lead = spring + half_way;
+    return {(-go.force / length) * spring - gamma_t * u_t, go.energy,
+            gamma_t * u_t.squaredNorm() * dt};
+}
+
+void add_friction(const Patch& patch, const FeatureSum& features, const ContactLaw& law, double dt,
+                  ConvexHistory& history, PairContact& contact) {
+    const PairState& pair = features.pair();
     const Vec3& n = patch.normal;
     const Vec3 u = relative_velocity(pair, patch.center);
     const Vec3 u_t = u - u.dot(n) * n;
@@ -94,10 +137,8 @@ double add_friction(const Patch& patch, const PairState& pair, const ContactLaw&
     }
     const double k_t = patch.c.k_t * patch.weight;
     contact.dissipated_energy += hertz::softening_loss(history.stiffness, k_t, spring);
-    const double stiffness = patch.c.k_n * patch.weight;
     const hertz::TangentialForce t =
-        hertz::friction_force(law, k_t, patch.c.gamma_t * patch.weight, stiffness * patch.overlap,
-                              stiffness, patch.normal_force, u_t, dt, spring);
+        spring_force(patch, features, law, u_t, dt, history, spring, contact);
     history.spring = spring;
     history.stiffness = k_t;
     history.weight = patch.weight;
@@ -106,18 +147,7 @@ double add_friction(const Patch& patch, const PairState& pair, const ContactLaw&
     contact.torque_j -= (patch.center - pair.displacement).cross(t.force);
     contact.elastic_energy += t.elastic;
     contact.dissipated_energy += t.dissipated;
-    return t.push + add_torsion(patch, pair, law, dt, history, contact);
-}
-
-/// A force along the gradient of the overlap.
-void add_push(const FeatureSum& features, double push, PairContact& contact) {
-    if (!(push > 0.0)) return;
-    PairWrench sum;
-    sum.add(push * features.scale(), features.direction());
-    sum.add(push * features.scale(), features.of_weights());
-    contact.force += sum.force;
-    contact.torque_i += sum.torque_i;
-    contact.torque_j += sum.torque_j;
+    add_torsion(patch, pair, law, dt, history, contact);
 }
 
 }  // namespace
@@ -146,8 +176,7 @@ PairContact contact_force(const FeatureSum& features, double local_radius, const
     add_normal(features, law, dt, patch, contact);
     const double elastic = hertz::elastic_share(law) * patch.c.k_n * square(patch.overlap);
     contact.elastic_energy = elastic;
-    if (law.friction > 0.0)
-        add_push(features, add_friction(patch, pair, law, dt, history, contact), contact);
+    if (law.friction > 0.0) add_friction(patch, features, law, dt, history, contact);
     history.normal = patch.normal;
     contact.overlap = patch.overlap;
     contact.points = features.count();

@@ -158,7 +158,6 @@ struct TangentialForce {
     Vec3 force;         ///< on i [N]
     double elastic;     ///< [J]
     double dissipated;  ///< in this step [J]
-    double push = 0.0;  ///< along the normal, repulsive, of a spring that lets go [N]
 };
 
 /// Spring and dashpot cut at `limit` = mu |F_n|. The force of this step uses the spring at its end,
@@ -193,40 +192,28 @@ inline TangentialForce tangential_force(double k_t, double gamma_t, double limit
     return {force, elastic, dashpot + slip};
 }
 
-/// From this coefficient of friction on the linear law is one without slip.
+/// From this coefficient of friction on, contacts of convex shapes under the linear law give back
+/// what their tangential spring holds when they end (docs/contact.md, "Without slip").
 inline constexpr double no_slip = 2.0;
 
-/// A spring that never slips and loses nothing when the contact ends. Where it is still stretched
-/// while the normal spring relaxes, it holds no more than `hold`, no_slip times the force of that,
-/// and gives its energy back as a push along the normal: with s its length, h = hold and the
-/// potential
-///     U = k_t s^2 / 2                      up to k_t s = h
-///     U = h^2 / k_t - h^4 / (2 k_t^3 s^2)  beyond,
-/// which vanishes with the overlap d, force and push are dU/ds and dU/dd. `hold_slope` = dh/dd.
-inline TangentialForce sticking_force(double k_t, double gamma_t, double hold, double hold_slope,
-                                      const Vec3& u_t, double dt, Vec3& lead) {
-    const Vec3 half_way = 0.5 * dt * u_t;
-    const Vec3 spring = lead + half_way;
-    lead = spring + half_way;
-    const double stretch = k_t * spring.norm();
-    const double loss = gamma_t * u_t.squaredNorm() * dt;
-    if (!(stretch > hold))
-        return {-k_t * spring - gamma_t * u_t, 0.5 * k_t * spring.squaredNorm(), loss};
-    const double ratio2 = square(hold / stretch);
-    return {(-k_t * square(ratio2)) * spring - gamma_t * u_t,
-            0.5 * square(hold) / k_t * (2.0 - ratio2), loss,
-            2.0 * hold / k_t * (1.0 - ratio2) * hold_slope};
+inline bool gives_back(const ContactLaw& law) {
+    return law.model == ContactLaw::Model::linear && law.friction > no_slip;
 }
 
-/// Which of the two a law asks for. `normal_spring` and `normal_stiffness`: force of the normal
-/// spring [N] and its derivative by the overlap; `normal_force`: with the dashpot [N].
-inline TangentialForce friction_force(const ContactLaw& law, double k_t, double gamma_t,
-                                      double normal_spring, double normal_stiffness,
-                                      double normal_force, const Vec3& u_t, double dt, Vec3& lead) {
-    if (law.model == ContactLaw::Model::linear && law.friction > no_slip)
-        return sticking_force(k_t, gamma_t, no_slip * normal_spring, no_slip * normal_stiffness,
-                              u_t, dt, lead);
-    return tangential_force(k_t, gamma_t, law.friction * std::abs(normal_force), u_t, dt, lead);
+struct LettingGo {
+    double force;   ///< of the spring, against it [N]
+    double push;    ///< along the normal, repulsive [N]
+    double energy;  ///< [J]
+};
+
+/// A spring of stiffness k_t and length s that is longer than `ratio` overlaps d: with h = ratio d
+///     U = k_t (h^2 - h^4 / (2 s^2)),    force dU/ds, push dU/dd,
+/// which goes on from k_t s^2 / 2 at s = h without a kink and vanishes with the overlap.
+inline LettingGo letting_go(double k_t, double s, double ratio, double overlap) {
+    const double h = ratio * overlap;
+    const double r2 = square(h / s);
+    return {k_t * h * r2 * h / s, 2.0 * k_t * h * ratio * (1.0 - r2),
+            k_t * square(h) * (1.0 - 0.5 * r2)};
 }
 
 /// Energy that a spring lost because its stiffness is k_t and was `before` in the last step [J].

@@ -34,8 +34,6 @@ Vec3 relative_velocity(const PairState& pair, const Vec3& r_i) {
 struct Share {
     Vec3 velocity;        ///< relative, at the point [m/s]
     double force;         ///< along the gradient [N]
-    double spring;        ///< the elastic part of it [N]
-    double stiffness;     ///< its derivative by the overlap, at a constant weight [N/m]
     double k_t, gamma_t;  ///< of its tangential spring and dashpot
     double elastic;       ///< normal part, where points have their own [J]
     double dissipated;    ///< normal part [J]
@@ -82,8 +80,6 @@ class NormPatch {
         s.velocity = relative_velocity(pair_, p.position);
         const double rate = -s.velocity.dot(p.gradient);
         const double spring = w * c.k_n * overlap_;
-        s.spring = spring;
-        s.stiffness = w * c.k_n;
         s.force = spring + hertz::dashpot_share(law_, c, overlap_, rate, dt) * w * c.gamma_n * rate;
         if (law_.limit_force) s.force = std::max(s.force, 0.0);
         s.dissipated = (s.force - spring) * rate * dt;
@@ -123,8 +119,6 @@ class SumPatch {
         s.velocity = relative_velocity(pair_, p.position);
         const double rate = -s.velocity.dot(p.gradient);
         const double spring = c.k_n * p.overlap;
-        s.spring = spring;
-        s.stiffness = c.k_n;
         s.force = spring + hertz::dashpot_share(law_, c, p.overlap, rate, dt) * c.gamma_n * rate;
         if (law_.limit_force) s.force = std::max(s.force, 0.0);
         s.dissipated = (s.force - spring) * rate * dt;
@@ -203,11 +197,11 @@ void add_friction(const Patch& patch, const PatchCall& call, double normal_force
         const Vec3 u_t = s.velocity - s.velocity.dot(n) * n;
         const double k_t = scale * s.k_t;
         contact.dissipated_energy += hertz::softening_loss(slot.stiffness, k_t, spring);
+        const double limit = call.law.friction * scale * std::abs(s.force);
         const hertz::TangentialForce t =
-            hertz::friction_force(call.law, k_t, scale * s.gamma_t, scale * s.spring,
-                                  scale * s.stiffness, scale * s.force, u_t, dt, spring);
+            hertz::tangential_force(k_t, scale * s.gamma_t, limit, u_t, dt, spring);
         slot = {p.feature, n, spring, k_t};
-        add_force(contact, t.force + t.push * p.gradient, p.position, call.pair);
+        add_force(contact, t.force, p.position, call.pair);
         contact.elastic_energy += t.elastic;
         contact.dissipated_energy += t.dissipated;
     }

@@ -61,12 +61,11 @@ inline PointForce point_force(const PointMotion& point, double local_radius, con
         if (history.effective_radius > 0.0)
             spring = hertz::carried(history.spring, history.normal, n, point.spin * dt);
         f.dissipated += hertz::softening_loss(history.stiffness, c.k_t, spring);
-        const hertz::TangentialForce t = hertz::friction_force(law, c.k_t, c.gamma_t, spring_force,
-                                                               c.k_n, f.normal, u_t, dt, spring);
+        const hertz::TangentialForce t = hertz::tangential_force(
+            c.k_t, c.gamma_t, law.friction * std::abs(f.normal), u_t, dt, spring);
         history.spring = spring;
         history.stiffness = c.k_t;
         f.tangential = t.force;
-        f.normal += t.push;
         f.elastic += t.elastic;
         f.dissipated += t.dissipated;
     }

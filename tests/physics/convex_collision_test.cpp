@@ -152,6 +152,45 @@ TEST(ConvexCollision, WithoutSlipTheSpringsGiveTheirEnergyBack) {
     }
 }
 
+/// A body of `solid` that starts on a plane, after some time under a gravity.
+TwoBodies on_a_plane(const ConvexSolid& solid, TwoBodies bodies, const ContactLaw& law,
+                     const Vec3& gravity, double seconds) {
+    bodies.i.inverse = inertia_of(solid);
+    bodies.acceleration = gravity;
+    Host host;
+    const double dt = 0.02 * collision_time(law, 1.0 / bodies.i.inverse.mass);
+    for (int step = 0; step < static_cast<int>(seconds / dt); ++step) {
+        bodies.step(dt, [&](const PairState& state, double h) {
+            return collide(solid.shape, PlaneWall{}, state, law, h, host.memory());
+        });
+    }
+    return bodies;
+}
+
+// A spring that lets go when a contact ends must hold as long as it goes on.
+TEST(ConvexCollision, WithoutSlipBodiesStandOnSlopesAndRoll) {
+    for (const double friction : {3.0, 1e9}) {
+        ContactLaw options;
+        options.friction = friction;
+        const ContactLaw law = linear_law(1e4, 0.5, 0.5, options);
+        const ConvexSolid slab = make_cuboid({0.012, 0.012, 0.001}, 1e-5);
+        TwoBodies start;
+        start.i.position.z() = 0.0005 - 1e-9;
+        const double slope = 60.0 * pi / 180.0;
+        const Vec3 down = 9.81 * Vec3(std::sin(slope), 0.0, -std::cos(slope));
+        const TwoBodies stands = on_a_plane(slab, start, law, down, 0.1);
+        EXPECT_LT(stands.i.velocity.norm(), 1e-9) << friction;
+        EXPECT_LT(std::abs(stands.i.position.x()), 1e-5) << friction;
+
+        const ConvexSolid ball = make_convex_sphere(0.002);
+        start.i.position.z() = 0.002 - 1e-8;
+        start.i.velocity = {0.5, 0.0, 0.0};
+        const TwoBodies rolls = on_a_plane(ball, start, law, {0.0, 0.0, -9.81}, 0.2);
+        EXPECT_NEAR(rolls.i.velocity.x(), 0.5 * 5.0 / 7.0, 2e-3) << friction;
+        EXPECT_NEAR(rolls.i.angular_velocity().y() * 0.002, rolls.i.velocity.x(), 1e-5) << friction;
+    }
+}
+
 /// Cubes that hit nearly face to face with friction: the patch wanders from an edge over the face.
 TEST(ConvexCollision, FrictionOfAWanderingPatchMakesNoEnergy) {
     const ConvexSolid box = make_cuboid({0.006, 0.005, 0.004}, 5e-5);

@@ -74,30 +74,29 @@ TEST(LinearLaw, GivesTheTangentialRestitution) {
     }
 }
 
-// Sec. "Without slip" of docs/contact.md.
-TEST(LinearLaw, ForceAndPushWithoutSlipAreTheGradientOfTheEnergy) {
-    const double k_n = 1e4;
+// docs/contact.md, "Without slip".
+TEST(LinearLaw, ForceAndPushOfASpringThatLetsGoAreTheGradientOfItsEnergy) {
     const double k_t = 3e3;
-    const auto at = [&](double overlap, double stretch) {
-        Vec3 lead = stretch * Vec3::UnitY();
-        return hertz::sticking_force(k_t, 0.0, hertz::no_slip * k_n * overlap, hertz::no_slip * k_n,
-                                     Vec3::Zero(), 1e-6, lead);
-    };
+    const double ratio = 7.0;
     const double overlap = 1e-6;
-    const double reach = hertz::no_slip * k_n * overlap / k_t;  // beyond, the spring lets go
+    const double reach = ratio * overlap;
     const double h = 1e-6 * overlap;
-    for (const double stretch :
-         {0.3 * reach, 0.999 * reach, 1.001 * reach, 2.0 * reach, 1e3 * reach}) {
-        const hertz::TangentialForce t = at(overlap, stretch);
-        const double by_stretch =
-            (at(overlap, stretch + h).elastic - at(overlap, stretch - h).elastic) / (2.0 * h);
-        const double by_overlap =
-            (at(overlap + h, stretch).elastic - at(overlap - h, stretch).elastic) / (2.0 * h);
-        EXPECT_NEAR(-t.force.y(), by_stretch, 1e-4 * k_t * reach);
-        EXPECT_NEAR(t.push, by_overlap, 1e-4 * k_t * reach);
+    for (const double s : {1.001 * reach, 2.0 * reach, 1e3 * reach}) {
+        const auto energy = [&](double length, double d) {
+            return hertz::letting_go(k_t, length, ratio, d).energy;
+        };
+        const hertz::LettingGo go = hertz::letting_go(k_t, s, ratio, overlap);
+        const double by_length = (energy(s + h, overlap) - energy(s - h, overlap)) / (2.0 * h);
+        const double by_overlap = (energy(s, overlap + h) - energy(s, overlap - h)) / (2.0 * h);
+        EXPECT_NEAR(go.force, by_length, 1e-4 * k_t * reach);
+        EXPECT_NEAR(go.push, by_overlap, 1e-4 * ratio * k_t * reach);
     }
-    EXPECT_EQ(at(0.0, 1e-5).elastic, 0.0);
-    EXPECT_EQ(at(overlap, 0.9 * reach).push, 0.0);
+    // It begins where the plain spring is, without a jump of energy or force.
+    const hertz::LettingGo begins = hertz::letting_go(k_t, reach, ratio, overlap);
+    EXPECT_DOUBLE_EQ(begins.energy, 0.5 * k_t * reach * reach);
+    EXPECT_DOUBLE_EQ(begins.force, k_t * reach);
+    EXPECT_EQ(begins.push, 0.0);
+    EXPECT_EQ(hertz::letting_go(k_t, 1e-5, ratio, 0.0).energy, 0.0);
 }
 
 TEST(LinearLaw, RefusesNumbersOutOfRange) {

@@ -290,19 +290,24 @@ TEST(TimeStep, ShrinksWithStiffTangentialSprings) {
     EXPECT_NEAR(time_step(scene).rayleigh, usual / std::sqrt(350.0), 1e-12 * usual);
 }
 
-// Of spheres k_t is 2/7 k_n, and without slip a contact pushes with up to 1 + 8 k_n / k_t = 29
-// springs.
-TEST(TimeStep, ShrinksWhereNothingSlips) {
-    Scene scene = spheres_over_a_floor({at(0.0, 0.0, radius)});
-    const auto critical_at = [&](double friction) {
-        ContactLaw options;
-        options.friction = friction;
-        scene.laws.set(0, 0, linear_law(1e3, 1.0, 1.0, options));
-        return time_step(scene).linear;
-    };
-    const double usual = critical_at(2.0);
-    EXPECT_EQ(critical_at(0.1), usual);
-    EXPECT_NEAR(critical_at(2.1), usual / std::sqrt(29.0), 1e-12 * usual);
+TEST(TimeStep, OfTheLinearLawMakesNoEnergyHoweverStrongTheDashpot) {
+    for (const double e : {1e-30, 1e-4, 0.01, 0.1, 0.3, 0.5, 0.8}) {
+        Scene scene = spheres_over_a_floor({at(0.0, 0.0, 1.0001 * radius)});
+        scene.insertions[0].placements[0].velocity.z() = -0.1;
+        const ContactLaw law = linear_law(1e5, e, 1.0, scene.laws.at(0, 0));
+        scene.laws.set(0, 0, law);
+        const TimeStep limit = time_step(scene);
+        const double contact = law.contact_time * std::sqrt(scene.kinds[0].mass / 1e5);
+        if (e >= 0.5)
+            EXPECT_DOUBLE_EQ(limit.linear, 0.4 * std::sqrt(0.5) * contact);
+        else
+            EXPECT_LT(limit.linear, 0.4 * std::sqrt(0.5) * contact);
+        const double before = 0.5 * scene.kinds[0].mass * square(0.1);
+        Simulation simulation(std::move(scene), 0.99 * std::min(limit.linear, limit.motion));
+        for (int step = 0; step < 200; ++step) simulation.step();
+        const Energies after = energies(simulation);
+        EXPECT_LT(after.translational, before) << e;
+    }
 }
 
 TEST(TimeStep, AboveTheCriticalOneIsRefusedUnlessForced) {
