@@ -20,6 +20,7 @@ double ShapeParameters::length(std::string_view name) const {
     const auto& [value, line] = setting(name, "a length");
     const double result = text_.length(value, line);
     if (!(result > 0.0)) fail(name, "a length above zero");
+    if (result < 1e-12 || result > 1e6) fail(name, "a length from 1e-12 to 1e6 m");
     return result;
 }
 

@@ -34,6 +34,8 @@ double read_size(const std::string& words) {
         throw UsageError("--size", problem.what());
     }
     if (!(size > 0.0)) throw UsageError("--size", "found '" + words + "', expected above 0");
+    if (size < 1e-12 || size > 1e6)
+        throw UsageError("--size", "found '" + words + "', expected from 1e-12 to 1e6 m");
     return size;
 }
 

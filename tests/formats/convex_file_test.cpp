@@ -169,6 +169,10 @@ TEST(ConvexFile, WhatIsWrongIsSaidInOneLineWithItsPlace) {
                        "a length above zero");
     for (const char* bad : {"nan", "inf", "-inf", "1e999"})
         expect_message("shape=cone\nradius=1\nheight=" + std::string(bad), "x.convex:3", bad);
+    for (const char* far : {"1e-200", "1e-13", "1e7", "1e200"})
+        expect_message("shape=sphere\nradius=" + std::string(far), "x.convex:2",
+                       "from 1e-12 to 1e6");
+    expect_message("shape=polyhedron\n0 0 0\n1 0 0\n0 1e200 0", "x.convex:4", "within 1e6 m");
     expect_message("shape=capsule\nradius=1\nlength=1.9", "x.convex:3", "twice the radius");
     expect_message("shape=disc\nradius=1\nthickness=2", "x.convex:3", "less than twice");
     expect_message(cuboid + "rounding = 2", "x.convex:6", "rounding radius 0.002 m");
