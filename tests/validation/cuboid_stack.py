@@ -9,7 +9,7 @@ EDGE, COUNT, STIFFNESS, RESTITUTION, DENSITY, GRAVITY = 0.01, 100, 1e6, 0.2, 100
 CASE = """
 [run]
 end_time = {end} s
-time_step_divisor = 10
+time_step_divisor = 7.2875  # t_c / 25: for this restitution the critical time is 0.2915 t_c
 [material.stuff]
 density = 1000
 youngs_modulus = 50 MPa
