@@ -89,32 +89,40 @@ double longest_ratio(const Patch& patch, double dt) {
     return std::sqrt(0.5 * patch.c.k_n / patch.c.k_t) / (patch.c.frequency * dt);
 }
 
+struct SpringForce {
+    hertz::TangentialForce along;
+    double push = 0.0;  ///< along the gradient of the overlap [N]
+};
+
 /// The spring and dashpot along the surface; in a contact without slip that ends while the spring
-/// is stretched, the spring gives its energy back as a push along the gradient of the overlap.
-hertz::TangentialForce spring_force(const Patch& patch, const FeatureSum& features,
-                                    const ContactLaw& law, const Vec3& u_t, double dt,
-                                    ConvexHistory& history, Vec3& lead, PairContact& contact) {
+/// is stretched, the spring gives its energy back as a push.
+SpringForce spring_force(const Patch& patch, const ContactLaw& law, const Vec3& u_t, double dt,
+                         ConvexHistory& history, Vec3& lead) {
     const double k_t = patch.c.k_t * patch.weight;
     const double gamma_t = patch.c.gamma_t * patch.weight;
     const double limit = law.friction * std::abs(patch.normal_force);
     if (!hertz::gives_back(law) || !(k_t > 0.0))
-        return hertz::tangential_force(k_t, gamma_t, limit, u_t, dt, lead);
+        return {hertz::tangential_force(k_t, gamma_t, limit, u_t, dt, lead)};
     const Vec3 half_way = 0.5 * dt * u_t;
     const Vec3 spring = lead + half_way;
     const double length = spring.norm();
     const double ratio = held_ratio(patch, length, dt, history);
     if (ratio > longest_ratio(patch, dt) || !(length > ratio * patch.overlap))
-        return hertz::tangential_force(k_t, gamma_t, limit, u_t, dt, lead);
+        return {hertz::tangential_force(k_t, gamma_t, limit, u_t, dt, lead)};
     const hertz::LettingGo go = hertz::letting_go(k_t, length, ratio, patch.overlap);
-    PairWrench push;
-    push.add(go.push * features.scale(), features.direction());
-    push.add(go.push * features.scale(), features.of_weights());
-    contact.force += push.force;
-    contact.torque_i += push.torque_i;
-    contact.torque_j += push.torque_j;
     lead = spring + half_way;
-    return {(-go.force / length) * spring - gamma_t * u_t, go.energy,
-            gamma_t * u_t.squaredNorm() * dt};
+    return {{(-go.force / length) * spring - gamma_t * u_t, go.energy,
+             gamma_t * u_t.squaredNorm() * dt},
+            go.push};
+}
+
+void add_push(const FeatureSum& features, double push, PairContact& contact) {
+    PairWrench sum;
+    sum.add(push * features.scale(), features.direction());
+    sum.add(push * features.scale(), features.of_weights());
+    contact.force += sum.force;
+    contact.torque_i += sum.torque_i;
+    contact.torque_j += sum.torque_j;
 }
 
 void add_friction(const Patch& patch, const FeatureSum& features, const ContactLaw& law, double dt,
@@ -137,8 +145,9 @@ void add_friction(const Patch& patch, const FeatureSum& features, const ContactL
     }
     const double k_t = patch.c.k_t * patch.weight;
     contact.dissipated_energy += hertz::softening_loss(history.stiffness, k_t, spring);
-    const hertz::TangentialForce t =
-        spring_force(patch, features, law, u_t, dt, history, spring, contact);
+    const SpringForce force = spring_force(patch, law, u_t, dt, history, spring);
+    if (force.push > 0.0) add_push(features, force.push, contact);
+    const hertz::TangentialForce& t = force.along;
     history.spring = spring;
     history.stiffness = k_t;
     history.weight = patch.weight;
