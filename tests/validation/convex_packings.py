@@ -25,8 +25,9 @@ def batches(shape, ratio):
 def pack(shape, ratio, seed, reuse):
     """The runs of a packing, one per batch."""
     template = cook("units = mm\n" + SHAPES[shape][0](D * ratio), suffix="convex")
-    return deposit(f"convex_{shape}_{ratio}_{seed}", [template] * batches(shape, ratio), BATCH, 15 if ratio <= 1 else 30, seed, reuse,
+    runs, _ = deposit(f"convex_{shape}_{ratio}_{seed}", [template] * batches(shape, ratio), BATCH, 15 if ratio <= 1 else 30, seed, reuse,
                    radius=R, inner=R, end=1, divisor=20 if ratio == 1 and shape != "ellipsoid" else 10)
+    return runs
 
 
 class Bed:

@@ -5,7 +5,7 @@ import sys
 
 import numpy as np
 
-from packing import GRAINS, RAIN, arguments, bed_of, deposit
+from packing import GRAINS, RAIN, arguments, bed, deposit
 from validation import Page, Run, plt, shapegen
 
 SAND = {"radius": 25, "inner": 24, "batch": 60, "batches": 24, "count": 500, "rain": 40, "low": 50, "high": 75}
@@ -51,15 +51,16 @@ class Packing:
         vessel = PACKINGS[name][1]
         if way == "frozen":
             templates = [grains(name, way, k, vessel["batch"]) for k in range(vessel["batches"])]
-            self.runs = deposit(f"granular_{name}_frozen", templates, vessel["batch"], 15, 1, reuse, radius=vessel["radius"], inner=vessel["inner"],
+            self.runs, sections = deposit(f"granular_{name}_frozen", templates, vessel["batch"], 15, 1, reuse, radius=vessel["radius"], inner=vessel["inner"],
                                 end=1.5, divisor=20)
         else:
-            templates = [grains(name, way, 0, vessel["count"])]
-            case = RAIN.format(template=templates[0], seed=1, end=4, divisor=20, every=60, frames=20, **(vessel | {"batch": vessel["rain"]}))
-            self.runs = [Run(f"granular_{name}_free", case.replace("particles.grains", "particles.rain"), "--threads", "1", reuse=reuse)]
+            template = grains(name, way, 0, vessel["count"])
+            case = RAIN.format(template=template, seed=1, end=4, divisor=20, every=60, frames=20, **(vessel | {"batch": vessel["rain"]}))
+            self.runs = [Run(f"granular_{name}_free", case, "--threads", "1", reuse=reuse)]
+            sections = bed(0, template, self.runs[0])
         last = self.runs[-1]
         self.surface, self.highest = (1e3 * last.history[c][-1] for c in ("height_surface", "height_highest"))
-        case = LOOK.format(bed=bed_of(templates, self.runs), radius=vessel["radius"], bottom=0.25 * self.surface, top=0.75 * self.surface)
+        case = LOOK.format(bed=sections, radius=vessel["radius"], bottom=0.25 * self.surface, top=0.75 * self.surface)
         look = Run(f"granular_{name}_{way}_look", case, "--threads", "1").history
         self.bulk, self.near_wall, self.core, self.whole = (look[c][-1] for c in ("bulk_solid_fraction", "bulk_near_wall", "bulk_core", "whole_solid_fraction"))
         self.count = len(last.final["x"])
@@ -94,10 +95,13 @@ shape (`kind = solid_fraction`): of the middle half of the bed's height, and fro
         holds = abs(bulk - paper) < 0.03
         tell = page.claim if name == "sand_ellipsoid" else page.shortfall
         tell(f"{name.replace('_', ', ')}: filled as in the paper, solid fraction of the middle half within 0.03 of its {paper} ({bulk:.3f})", holds)
-    page.text("""
+    denser = [beds[name, "free"].bulk - beds[name, "frozen"].bulk for name in PACKINGS]
+    left = {name: beds[name, "frozen"].bulk - paper for name, (_, _, paper) in PACKINGS.items()}
+    page.text(f"""
 The paper gives one overall fraction of each bed and does not say where the bed begins and ends. Freezing the batches is what makes its beds loose: grains that
-are free to move until all lie still fill 0.06 to 0.09 more. What is left, 0.04 for spherical sand and 0.05 for woodchips, is less than the difference between
-the middle half and all up to the highest point, or between wall and core.""")
+are free to move until all lie still fill {min(denser):.2f} to {max(denser):.2f} more. What is left is {left["sand_sphere"]:.2f} for spherical sand and
+{left["woodchips"]:.2f} for woodchips; between wall and core the same beds differ by {beds["sand_sphere", "frozen"].core - beds["sand_sphere", "frozen"].near_wall:.2f}
+and {beds["woodchips", "frozen"].core - beds["woodchips", "frozen"].near_wall:.2f}.""")
     figure, axes = plt.subplots()
     for k, (name, (_, _, paper)) in enumerate(PACKINGS.items()):
         for way, color, shift in (("frozen", "C0", -0.1), ("free", "C1", 0.0)):

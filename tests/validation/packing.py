@@ -23,8 +23,8 @@ point = 0 0 0
 radius = {radius} mm
 material = grain
 """
-# Batches that rain into the vessel, with the contact parameters of [GC] Table 7.
-RAIN = GRAINS + """
+# Grains that fall into the vessel, with the contact parameters of [GC] Table 7.
+FALL = GRAINS + """
 [run]
 end_time = {end} s
 stop = at_rest
@@ -36,47 +36,31 @@ normal_stiffness = 1e4
 restitution = 0.8
 tangential_restitution = 0.6
 friction = 0.1
-[particles.grains]
+[measure.height]
+kind = fill_height
+every = 20 ms
+[particles.rain]
 template = {template}
 material = grain
 count = {count}
-insert = batches
 region = cylinder 0 0 {low} mm  0 0 {high} mm  {inner} mm
+"""
+# In batches, all free to move to the end.
+RAIN = FALL + """
+insert = batches
 batch = {batch}
 every = {every} ms
 [output]
 frames_every = {frames} ms
 history_every = 5 ms
-[measure.height]
-kind = fill_height
-every = 20 ms
 """
 # One batch that falls onto what has come to rest before.
-BATCH = GRAINS + """
-[run]
-end_time = {end} s
-stop = at_rest
-time_step_divisor = {divisor}
-seed = {seed}
-[contact]
-model = linear
-normal_stiffness = 1e4
-restitution = 0.8
-tangential_restitution = 0.6
-friction = 0.1
-[particles.rain]
-template = {template}
-material = grain
-count = {batch}
-region = cylinder 0 0 {low} mm  0 0 {high} mm  {inner} mm
+BATCH = FALL + """
 {bed}
 [output]
 frames_every = 50 ms
 history_every = 5 ms
 picture = {picture}
-[measure.height]
-kind = fill_height
-every = 20 ms
 """
 BED = """
 [particles.bed_{number}]
@@ -114,9 +98,9 @@ def pack(name, template, options, seeds, variant="", settings=(), kind=None):
         return list(pool.map(one, range(1, seeds + 1)))
 
 
-def bed_of(templates, runs):
-    """Sections of a case: the bodies that `runs` let fall, frozen where they came to rest."""
-    return "".join(BED.format(number=k, template=template, file=frozen(run)) for k, (template, run) in enumerate(zip(templates, runs)))
+def bed(number, template, run):
+    """Section of a case: the bodies that `run` let fall, frozen where they came to rest."""
+    return BED.format(number=number, template=template, file=frozen(run))
 
 
 def frozen(run):
@@ -132,15 +116,16 @@ def frozen(run):
 
 def deposit(name, templates, batch, fall, seed, reuse, **case):
     """The packing of [GC] Sec. 7.1: batch after batch falls onto the bed and is frozen there once it lies still. `templates`: one per batch;
-    `fall`: height of the room above the bed that a batch starts in [mm]. Returns the runs, one per batch; the last one's final.csv
-    holds the bed."""
-    runs, top = [], 0.0
+    `fall`: height of the room above the bed that a batch starts in [mm]. Returns the runs, one per batch, and the sections of a case that
+    hold the bed; so does the final.csv of the last run."""
+    runs, sections, top = [], "", 0.0
     for k, template in enumerate(templates):
-        text = BATCH.format(template=template, batch=batch, seed=1000 * seed + k, low=top + 2, high=top + 2 + fall, bed=bed_of(templates, runs),
+        text = BATCH.format(template=template, count=batch, seed=1000 * seed + k, low=top + 2, high=top + 2 + fall, bed=sections,
                             picture="yes" if k + 1 == len(templates) else "no", **case)
         runs.append(Run(f"{name}_{k}", text, "--threads", "1", reuse=reuse))
+        sections += bed(k, template, runs[-1])
         top = 1e3 * runs[-1].history["height_highest"][-1]
-    return runs
+    return runs, sections
 
 
 def heights(runs):

@@ -128,10 +128,17 @@ class Page:
         self.failures = []
         PAGES.mkdir(parents=True, exist_ok=True)
 
+    def end_list(self):
+        """What follows claims is not part of the last one."""
+        if self.lines[-1].startswith("- "):
+            self.lines.append("")
+
     def text(self, text):
+        self.end_list()
         self.lines += [text.strip(), ""]
 
     def table(self, header, rows):
+        self.end_list()
         self.lines.append("| " + " | ".join(header) + " |")
         self.lines.append("|" + "---|" * len(header))
         self.lines += ["| " + " | ".join(str(c) for c in row) + " |" for row in rows]
@@ -141,12 +148,14 @@ class Page:
         file = f"{self.name}{suffix}.svg"
         figure.savefig(PAGES / file, metadata={"Date": None})
         plt.close(figure)
+        self.end_list()
         self.lines += [f"![{caption}]({file})", "", f"*{caption}*", ""]
 
     def picture(self, source, caption):
         """A PNG that a program drew."""
         file = f"{self.name}_{source.stem}.png"
         shutil.copyfile(source, PAGES / file)
+        self.end_list()
         self.lines += [f"![{caption}]({file})", "", f"*{caption}*", ""]
 
     def claim(self, statement, holds):
