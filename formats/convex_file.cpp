@@ -31,7 +31,7 @@ std::vector<Vec3> points(const ProfileText& text) {
             throw Error(text.place(line), in_quotes(row) + " found, expected a point 'x y z'");
         result.emplace_back(text.length(cells[0], line), text.length(cells[1], line),
                             text.length(cells[2], line));
-        if (!(result.back().cwiseAbs().maxCoeff() <= 1e6))
+        if (!(result.back().cwiseAbs().maxCoeff() <= most_length))
             throw Error(text.place(line), in_quotes(row) + " found, expected a point within 1e6 m");
     }
     return result;

@@ -20,7 +20,7 @@ double ShapeParameters::length(std::string_view name) const {
     const auto& [value, line] = setting(name, "a length");
     const double result = text_.length(value, line);
     if (!(result > 0.0)) fail(name, "a length above zero");
-    if (result < 1e-12 || result > 1e6) fail(name, "a length from 1e-12 to 1e6 m");
+    if (result < least_length || result > most_length) fail(name, "a length from 1e-12 to 1e6 m");
     return result;
 }
 
@@ -28,7 +28,7 @@ double ShapeParameters::length_or_zero(std::string_view name) const {
     const auto& [value, line] = setting(name, "a length");
     const double result = text_.length(value, line);
     if (!(result >= 0.0)) fail(name, "a length that is not negative");
-    return result;
+    return result > 0.0 ? length(name) : 0.0;
 }
 
 double ShapeParameters::radius() const {

@@ -11,6 +11,10 @@
 /// files have in common.
 namespace dem {
 
+/// No body is smaller or larger, and no point farther away [m].
+inline constexpr double least_length = 1e-12;
+inline constexpr double most_length = 1e6;
+
 /// The settings of a named shape, by name, with their places for messages. Every function throws
 /// Error(file:line, ...) for a value that is missing or not what the function is named after.
 class ShapeParameters {

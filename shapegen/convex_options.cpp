@@ -3,6 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
+#include "formats/shape_parameters.hpp"
 #include "shapegen/import/mesh_file.hpp"
 #include "shapegen/option_values.hpp"
 
@@ -34,7 +35,7 @@ double read_size(const std::string& words) {
         throw UsageError("--size", problem.what());
     }
     if (!(size > 0.0)) throw UsageError("--size", "found '" + words + "', expected above 0");
-    if (size < 1e-12 || size > 1e6)
+    if (size < least_length || size > most_length)
         throw UsageError("--size", "found '" + words + "', expected from 1e-12 to 1e6 m");
     return size;
 }
