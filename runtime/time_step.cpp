@@ -33,7 +33,7 @@ double hertz_time(double m, double R, double Y, double speed) {
 
 // Longest step of a body under the linear law, and whether it has another law as well.
 struct LinearContacts {
-    double shortest = infinite;
+    double longest = infinite;
     bool has_other = false;
 };
 
@@ -118,8 +118,8 @@ LinearContacts linear_contacts(const Scene& scene, const BodyKind& kind,
             contacts.has_other = true;
             return;
         }
-        contacts.shortest =
-            std::min(contacts.shortest, linear_limit(law) * std::sqrt(mass / law.normal_stiffness));
+        contacts.longest =
+            std::min(contacts.longest, linear_limit(law) * std::sqrt(mass / law.normal_stiffness));
     };
     for (const std::uint32_t other : used.bodies) look_at(other, 0.5 * kind.mass);
     for (const std::uint32_t other : used.walls) look_at(other, kind.mass);
@@ -153,7 +153,7 @@ TimeStep time_step(const Scene& scene) {
     for (const BodyKind& kind : scene.kinds) {
         if (kind.inverse_inertia.mass == 0.0) continue;
         const LinearContacts linear = linear_contacts(scene, kind, used);
-        step.linear = std::min(step.linear, linear.shortest);
+        step.linear = std::min(step.linear, linear.longest);
         if (!linear.has_other) continue;
         const double factor = tangential_factor(scene, kind, used);
         const double radius = equivalent_radius(scene, kind);
