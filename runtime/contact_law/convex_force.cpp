@@ -10,11 +10,11 @@ namespace {
 /// The features together, with true weights.
 struct Patch {
     double overlap;
-    double weight;        ///< sum w_k
-    Vec3 normal;          ///< unit
-    Vec3 center;          ///< [m]
-    double normal_force;  ///< sum of the forces along the normals [N]
-    double spread2;       ///< [m^2]
+    double weight;   ///< sum w_k
+    Vec3 normal;     ///< unit
+    Vec3 center;     ///< [m]
+    double load;     ///< that friction is a share of [N]
+    double spread2;  ///< [m^2]
     hertz::Coefficients c;
 };
 
@@ -30,9 +30,10 @@ void add_normal(const FeatureSum& features, const ContactLaw& law, double dt, Pa
     const double share =
         hertz::dashpot_share(law, patch.c, patch.overlap, scale * features.rate(), dt);
     const double dashpot = share * scale * patch.c.gamma_n;
-    patch.normal_force = spring * features.weight() + dashpot * features.rate();
-    if (law.limit_force && patch.normal_force < 0.0) {
-        patch.normal_force = 0.0;
+    const double elastic_part = spring * features.weight();
+    const double normal_force = elastic_part + dashpot * features.rate();
+    patch.load = hertz::friction_load(law, elastic_part, std::max(normal_force, 0.0));
+    if (law.limit_force && normal_force < 0.0) {
         contact.dissipated_energy -= spring * features.rate() * dt;
         return;
     }
@@ -51,7 +52,7 @@ void add_torsion(const Patch& patch, const PairState& pair, const ContactLaw& la
                  ConvexHistory& history, PairContact& contact) {
     const double k = patch.c.k_t * patch.weight * patch.spread2;
     const double gamma = patch.c.gamma_t * patch.weight * patch.spread2;
-    const double limit = law.friction * std::abs(patch.normal_force) * std::sqrt(patch.spread2);
+    const double limit = law.friction * patch.load * std::sqrt(patch.spread2);
     const double rate = (pair.i.angular_velocity - pair.j.angular_velocity).dot(patch.normal);
     // Friction that is new to the patch starts without stretch: the torque stays, a part of the
     // twist goes. What leaves the patch takes its energy along.
@@ -100,7 +101,7 @@ SpringForce spring_force(const Patch& patch, const ContactLaw& law, const Vec3& 
                          ConvexHistory& history, Vec3& lead) {
     const double k_t = patch.c.k_t * patch.weight;
     const double gamma_t = patch.c.gamma_t * patch.weight;
-    const double limit = law.friction * std::abs(patch.normal_force);
+    const double limit = law.friction * patch.load;
     if (!hertz::gives_back(law) || !(k_t > 0.0))
         return {hertz::tangential_force(k_t, gamma_t, limit, u_t, dt, lead)};
     const Vec3 half_way = 0.5 * dt * u_t;

@@ -9,7 +9,7 @@
 /// The parts of the Hertz-Mindlin law [SR] Eqs. 10-15, and of the linear one beside it, that one
 /// contact point and many share (docs/contact.md, "Force law").
 ///   k_n = 4/3 Y* sqrt(R* d), gamma_n = sqrt(5) |beta| sqrt(m_e k_n), F_n = k_n d - gamma_n u_n
-///   F_t = -k_t s - gamma_t u_t, |F_t| <= mu |F_n|
+///   F_t = -k_t s - gamma_t u_t, |F_t| <= mu k_n d, the elastic part of F_n
 /// d overlap, s tangential spring, u relative velocity, m_e effective mass of the contact.
 namespace dem::hertz {
 
@@ -154,23 +154,31 @@ inline Vec3 carried(const Vec3& spring, const Vec3& old_normal, const Vec3& norm
     return ((1.0 - t * t) * scale) * s + (2.0 * t * scale) * normal.cross(s);
 }
 
+/// The normal force of which friction may be the share mu [N]: the elastic part of it. The dashpot
+/// gives no impulse over a whole contact, but it pulls at its end; friction cut at the size of the
+/// damped force would go on there, and sliding impacts would exceed Coulomb. Where the damped force
+/// is itself cut at zero it serves: what the dashpot then gives does not vanish.
+inline double friction_load(const ContactLaw& law, double elastic_part, double force) {
+    return law.limit_force ? force : elastic_part;
+}
+
 struct TangentialForce {
     Vec3 force;         ///< on i [N]
     double elastic;     ///< [J]
     double dissipated;  ///< in this step [J]
 };
 
-/// Spring and dashpot cut at `limit` = mu |F_n|. The force of this step uses the spring at its end,
-/// integrated by the trapezoidal rule (second order): `lead`, what the history stores, is ahead of
-/// it by u_t dt/2. When slipping the spring is reset so that the law gives the slip force exactly.
-/// Where the dashpot alone exceeds the limit the spring is empty: stretched against the motion, as
-/// the rule would have it, it would push forward as soon as the stiffness grows, and with k_t -> 0
-/// at the onset of a Hertzian contact the impact would depend on the time step without limit.
-/// The slip force keeps the direction of the force it replaces: along -u_t in steady slip, along
-/// the spring when the limit falls below it while the contact springs back.
-/// Slip takes the force of the cut spring, averaged over the step, along the way that was cut off:
-/// the spring's own loss of energy counts the whole way at the stretched length and is more by half
-/// of k_t u_t dt times that way, an error of first order in dt.
+/// Spring and dashpot cut at `limit` = mu friction_load(). The force of this step uses the spring
+/// at its end, integrated by the trapezoidal rule (second order): `lead`, what the history stores,
+/// is ahead of it by u_t dt/2. When slipping the spring is reset so that the law gives the slip
+/// force exactly. Where the dashpot alone exceeds the limit the spring is empty: stretched against
+/// the motion, as the rule would have it, it would push forward as soon as the stiffness grows, and
+/// with k_t -> 0 at the onset of a Hertzian contact the impact would depend on the time step
+/// without limit. The slip force keeps the direction of the force it replaces: along -u_t in steady
+/// slip, along the spring when the limit falls below it while the contact springs back. Slip takes
+/// the force of the cut spring, averaged over the step, along the way that was cut off: the
+/// spring's own loss of energy counts the whole way at the stretched length and is more by half of
+/// k_t u_t dt times that way, an error of first order in dt.
 inline TangentialForce tangential_force(double k_t, double gamma_t, double limit, const Vec3& u_t,
                                         double dt, Vec3& lead) {
     const Vec3 half_way = 0.5 * dt * u_t;

@@ -33,6 +33,7 @@ Vec3 relative_velocity(const PairState& pair, const Vec3& r_i) {
 /// What one point contributes.
 struct Share {
     Vec3 velocity;        ///< relative, at the point [m/s]
+    double elastic_part;  ///< of the force along the gradient [N]
     double force;         ///< along the gradient [N]
     double k_t, gamma_t;  ///< of its tangential spring and dashpot
     double elastic;       ///< normal part, where points have their own [J]
@@ -79,10 +80,11 @@ class NormPatch {
         Share s{};
         s.velocity = relative_velocity(pair_, p.position);
         const double rate = -s.velocity.dot(p.gradient);
-        const double spring = w * c.k_n * overlap_;
-        s.force = spring + hertz::dashpot_share(law_, c, overlap_, rate, dt) * w * c.gamma_n * rate;
+        s.elastic_part = w * c.k_n * overlap_;
+        s.force = s.elastic_part +
+                  hertz::dashpot_share(law_, c, overlap_, rate, dt) * w * c.gamma_n * rate;
         if (law_.limit_force) s.force = std::max(s.force, 0.0);
-        s.dissipated = (s.force - spring) * rate * dt;
+        s.dissipated = (s.force - s.elastic_part) * rate * dt;
         s.k_t = w * c.k_t;
         s.gamma_t = w * c.gamma_t;
         return s;
@@ -118,13 +120,14 @@ class SumPatch {
         Share s{};
         s.velocity = relative_velocity(pair_, p.position);
         const double rate = -s.velocity.dot(p.gradient);
-        const double spring = c.k_n * p.overlap;
-        s.force = spring + hertz::dashpot_share(law_, c, p.overlap, rate, dt) * c.gamma_n * rate;
+        s.elastic_part = c.k_n * p.overlap;
+        s.force =
+            s.elastic_part + hertz::dashpot_share(law_, c, p.overlap, rate, dt) * c.gamma_n * rate;
         if (law_.limit_force) s.force = std::max(s.force, 0.0);
-        s.dissipated = (s.force - spring) * rate * dt;
+        s.dissipated = (s.force - s.elastic_part) * rate * dt;
         s.k_t = c.k_t;
         s.gamma_t = c.gamma_t;
-        s.elastic = hertz::elastic_share(law_) * spring * p.overlap;
+        s.elastic = hertz::elastic_share(law_) * s.elastic_part * p.overlap;
         return s;
     }
 
@@ -167,23 +170,23 @@ struct PatchCall {
     double radius, local_radius;
 };
 
-/// By how much the points in slots stand for all.
+/// By how much the points in slots stand for all, whose elastic parts sum up to `elastic_part`.
 template <class Patch>
 double slot_scale(const Patch& patch, const PatchCall& call, const PatchSlots& chosen,
-                  double normal_force) {
+                  double elastic_part) {
     if (chosen.count == call.points.size()) return 1.0;
     double held = 0.0;
     for (std::size_t k = 0; k < chosen.count; ++k)
-        held += std::abs(patch.share(call.points[chosen.point[k]], call.dt).force);
-    return held > 0.0 ? normal_force / held : 1.0;
+        held += patch.share(call.points[chosen.point[k]], call.dt).elastic_part;
+    return held > 0.0 ? elastic_part / held : 1.0;
 }
 
 /// Adds the friction of the points in slots.
 template <class Patch>
-void add_friction(const Patch& patch, const PatchCall& call, double normal_force,
+void add_friction(const Patch& patch, const PatchCall& call, double elastic_part,
                   PairContact& contact) {
     const PatchSlots chosen = choose_slots(call.points, call.history);
-    const double scale = slot_scale(patch, call, chosen, normal_force);
+    const double scale = slot_scale(patch, call, chosen, elastic_part);
     const double dt = call.dt;
     const Vec3 mean_spin = 0.5 * (call.pair.i.angular_velocity + call.pair.j.angular_velocity);
     for (std::size_t k = 0; k < chosen.count; ++k) {
@@ -197,7 +200,8 @@ void add_friction(const Patch& patch, const PatchCall& call, double normal_force
         const Vec3 u_t = s.velocity - s.velocity.dot(n) * n;
         const double k_t = scale * s.k_t;
         contact.dissipated_energy += hertz::softening_loss(slot.stiffness, k_t, spring);
-        const double limit = call.law.friction * scale * std::abs(s.force);
+        const double limit =
+            call.law.friction * scale * hertz::friction_load(call.law, s.elastic_part, s.force);
         const hertz::TangentialForce t =
             hertz::tangential_force(k_t, scale * s.gamma_t, limit, u_t, dt, spring);
         slot = {p.feature, n, spring, k_t};
@@ -212,17 +216,17 @@ template <class Patch>
 PairContact patch_force(const PatchCall& call) {
     const Patch patch(call.points, call.pair, call.law, call.radius);
     PairContact contact;
-    double normal_force = 0.0;
+    double elastic_part = 0.0;
     for (const ContactPoint& p : call.points) {
         const Share s = patch.share(p, call.dt);
         add_force(contact, s.force * p.gradient, p.position, call.pair);
-        normal_force += std::abs(s.force);
+        elastic_part += s.elastic_part;
         contact.elastic_energy += s.elastic;
         contact.dissipated_energy += s.dissipated;
     }
     contact.elastic_energy += patch.elastic();
     const double normal_elastic = contact.elastic_energy;
-    if (call.law.friction > 0.0) add_friction(patch, call, normal_force, contact);
+    if (call.law.friction > 0.0) add_friction(patch, call, elastic_part, contact);
     contact.overlap = patch.overlap();
     contact.points = static_cast<std::uint32_t>(call.points.size());
     contact.dissipated_energy +=

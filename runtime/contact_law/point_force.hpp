@@ -61,8 +61,9 @@ inline PointForce point_force(const PointMotion& point, double local_radius, con
         if (history.effective_radius > 0.0)
             spring = hertz::carried(history.spring, history.normal, n, point.spin * dt);
         f.dissipated += hertz::softening_loss(history.stiffness, c.k_t, spring);
-        const hertz::TangentialForce t = hertz::tangential_force(
-            c.k_t, c.gamma_t, law.friction * std::abs(f.normal), u_t, dt, spring);
+        const double limit = law.friction * hertz::friction_load(law, spring_force, f.normal);
+        const hertz::TangentialForce t =
+            hertz::tangential_force(c.k_t, c.gamma_t, limit, u_t, dt, spring);
         history.spring = spring;
         history.stiffness = c.k_t;
         f.tangential = t.force;

@@ -194,34 +194,6 @@ TwoBodies oblique_pair(std::uint64_t seed) {
     return b;
 }
 
-// Fast along the plane the contact slides all the way: the impulse along it is mu times that of
-// |F_n|, which without damping is mu (1 + e) times the normal momentum.
-TEST(SphereCollision, GrosslySlidingObliqueImpactHasTheCoulombImpulse) {
-    const Sphere sphere{2.5e-3};
-    const double mu = 0.1;
-    for (const double e : {0.6, 1.0}) {
-        TwoBodies b;
-        b.i.inverse = solid_sphere(2500.0, sphere.radius);
-        b.i.position = {0.0, 0.0, sphere.radius};
-        b.i.velocity = {2.0, 0.0, -0.5};
-        ContactLaw law = pair_law({7e10, 0.25}, {7e10, 0.25}, e);
-        law.friction = mu;
-        PointHistory history;
-        double impulse = 0.0;  // of friction, over the mass
-        run_collision(b, 1e-9, [&](const PairState& pair, double dt) {
-            const PairContact c = collide(sphere, PlaneWall{}, pair, law, dt, history);
-            impulse += mu * std::abs(c.force.z()) * dt * b.i.inverse.mass;
-            return c;
-        });
-        if (e == 1.0) {
-            EXPECT_NEAR(impulse, mu * 2.0 * 0.5, 1e-4);
-        }
-        EXPECT_NEAR(b.i.velocity.x(), 2.0 - impulse, 1e-3 * impulse);
-        EXPECT_NEAR(b.i.angular_velocity().y(), 2.5 * impulse / sphere.radius,
-                    1e-3 * 2.5 * impulse / sphere.radius);
-    }
-}
-
 // What comes out must not depend on the step: the tangential spring has a limit for dt -> 0 even
 // where damping and friction compete from the first touch on.
 TEST(SphereCollision, ObliqueImpactConvergesAsTheStepShrinks) {

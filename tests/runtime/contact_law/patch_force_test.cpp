@@ -126,6 +126,34 @@ TEST(PatchForce, FrictionOfManyPointsStaysWithinTheCoulombLimit) {
     }
 }
 
+TEST(PatchForce, FrictionOfManyPointsIsCutAtTheElasticPartOfTheirForces) {
+    PairState pair = moving_pair(9);
+    pair.i.velocity = {2.0, 0.0, 0.2};  // sliding and parting
+    pair.j.velocity = Vec3::Zero();
+    pair.i.angular_velocity = pair.j.angular_velocity = Vec3::Zero();
+    using Multi = ContactLaw::MultiContact;
+    for (const Multi mode : {Multi::norm, Multi::sum, Multi::deepest}) {
+        for (const std::size_t count : {1U, 3U, 16U, 60U}) {
+            std::vector<ContactPoint> points = points_near_the_middle(count, 10);
+            for (ContactPoint& p : points) p.gradient = Vec3::UnitZ();
+            const auto sliding_force = [&](double restitution) {
+                ContactLaw law = pair_law({5e7, 0.3}, {5e7, 0.3}, restitution);
+                law.friction = 0.3;
+                law.multi_contact = mode;
+                PatchHistory history;
+                Vec3 force;
+                for (int k = 0; k < 100; ++k)
+                    force = contact_force(points, 2e-3, pair, law, 1e-6, history).force;
+                return force;
+            };
+            const Vec3 elastic = sliding_force(1.0);
+            const Vec3 damped = sliding_force(0.4);
+            EXPECT_LT(damped.z(), 0.5 * elastic.z());
+            EXPECT_NEAR(-damped.x(), 0.3 * elastic.z(), 1e-9 * elastic.z()) << count;
+        }
+    }
+}
+
 TEST(PatchForce, LosingContactClearsTheHistory) {
     PatchHistory history;
     const PairState pair = moving_pair(1);
