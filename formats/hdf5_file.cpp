@@ -49,6 +49,14 @@ void reserve(const std::filesystem::path& path, std::uint64_t bytes) {
     }
 }
 
+/// Settings of a new file, group or table (H5P_..._CREATE) without the time at which it is made:
+/// equal runs write equal files.
+struct Untimed : Handle {
+    explicit Untimed(hid_t kind) : Handle(H5Pcreate(kind), H5Pclose) {
+        H5Pset_obj_track_times(*this, false);
+    }
+};
+
 }  // namespace
 
 Hdf5File::Hdf5File(const std::filesystem::path& path, Mode mode, std::uint64_t bytes)
@@ -60,7 +68,7 @@ Hdf5File::Hdf5File(const std::filesystem::path& path, Mode mode, std::uint64_t b
         fail("set up");
     }
     if (mode == Mode::create) {
-        file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+        file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, Untimed(H5P_FILE_CREATE), access);
         if (file_ < 0) fail("create");
         close();
     }
@@ -82,9 +90,9 @@ void Hdf5File::fail(const std::string& action) const {
 }
 
 void Hdf5File::make_group(const std::string& name) {
-    const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-    H5Pset_create_intermediate_group(links, 1);
-    const Handle group(H5Gcreate2(file_, name.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+    const Handle group(
+        H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, Untimed(H5P_GROUP_CREATE), H5P_DEFAULT),
+        H5Gclose);
     if (!group.is_valid()) fail("write " + name);
 }
 
@@ -93,8 +101,7 @@ void Hdf5File::write_table(const std::string& name, const void* values, std::siz
     const std::array<hsize_t, 2> size = {rows, columns};
     const int rank = columns == 1 ? 1 : 2;
     const Handle space(H5Screate_simple(rank, size.data(), nullptr), H5Sclose);
-    const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-    H5Pset_obj_track_times(layout, false);  // the same run gives the same file
+    const Untimed layout(H5P_DATASET_CREATE);
     const std::size_t row_bytes = columns * H5Tget_size(types.in_file);
     if (rows * row_bytes >= chunked_from) {
         const std::array<hsize_t, 2> chunk = {
@@ -139,9 +146,9 @@ void Hdf5File::write(const std::string& name, std::span<const std::string> value
     for (const std::string& value : values) pointers.push_back(value.c_str());
     const hsize_t size = values.size();
     const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
-    const Handle table(
-        H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-        H5Dclose);
+    const Handle table(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT,
+                                  Untimed(H5P_DATASET_CREATE), H5P_DEFAULT),
+                       H5Dclose);
     if (!table.is_valid() ||
         (size > 0 && H5Dwrite(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()) < 0)) {
         fail("write " + name);
@@ -154,9 +161,9 @@ void Hdf5File::write_plain(const std::string& name, const PlainValues& values) {
     // Not compressed: states are random but for their first bits, and a run waits meanwhile.
     const hsize_t size = values.bytes.size() / values.value_bytes;
     const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
-    const Handle table(
-        H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-        H5Dclose);
+    const Handle table(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT,
+                                  Untimed(H5P_DATASET_CREATE), H5P_DEFAULT),
+                       H5Dclose);
     if (!table.is_valid() || (size > 0 && H5Dwrite(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                                                    values.bytes.data()) < 0)) {
         fail("write " + name);

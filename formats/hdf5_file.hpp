@@ -38,7 +38,7 @@ class Hdf5File {
     /// Writes everything out. Without it the destructor closes and swallows errors.
     void close();
 
-    /// Makes a group and those above it that do not exist.
+    /// Makes a group in one that exists.
     void make_group(const std::string& name);
 
     /// A table of values.size() / columns rows, a plain list for one column. Large ones are stored

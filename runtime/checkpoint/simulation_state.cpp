@@ -50,7 +50,10 @@ void Simulation::visit_state(Self& self, Visit& visit) {
     visit("ledger.dissipated", self.ledger_.dissipated);
     visit("ledger.wall_work", self.ledger_.wall_work);
     visit("ledger.inserted", self.inserted_energy_);
-    visit("largest_overlap", self.largest_overlap_);
+    // One by one: bytes between members would be whatever was in memory.
+    visit("largest_overlap.relative", self.largest_overlap_.relative);
+    visit("largest_overlap.ids", self.largest_overlap_.ids);
+    visit("largest_overlap.is_wall", self.largest_overlap_.is_wall);
     visit("core_overlaps", self.core_overlaps_);
     Inserter::visit_state(self.inserter_, visit);
 }
