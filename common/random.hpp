@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/math/elementary.hpp"
 #include "common/math/types.hpp"
 
 #include <cmath>
@@ -23,7 +24,8 @@ class Random {
         const double z = uniform(-1.0, 1.0);
         const double phi = uniform(0.0, 2.0 * pi);
         const double r = std::sqrt(1.0 - z * z);
-        return {r * std::cos(phi), r * std::sin(phi), z};
+        const auto [sine, cosine] = math::sin_cos(phi);
+        return {r * cosine, r * sine, z};
     }
 
     /// Uniform over all rotations (Shoemake 1992).
@@ -33,7 +35,9 @@ class Random {
         const double b = uniform(0.0, 2.0 * pi);
         const double s = std::sqrt(1.0 - u);
         const double t = std::sqrt(u);
-        return {t * std::cos(b), s * std::sin(a), s * std::cos(a), t * std::sin(b)};
+        const math::SineCosine of_a = math::sin_cos(a);
+        const math::SineCosine of_b = math::sin_cos(b);
+        return {t * of_b.cosine, s * of_a.sine, s * of_a.cosine, t * of_b.sine};
     }
 
     std::uint64_t next() {

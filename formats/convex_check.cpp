@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "common/math/elementary.hpp"
 #include "common/shapes/convex_moments.hpp"
 #include "formats/template_check.hpp"
 #include "formats/value_check.hpp"
@@ -100,9 +101,9 @@ void check_convex_shape(const ConvexShape& shape, double bounding_radius, double
         const double farthest =
             shape.core == Core::ellipsoid
                 ? size.maxCoeff()
-                : std::max(std::hypot(size.x(), shape.low),
+                : std::max(math::hypot(size.x(), shape.low),
                            shape.core == Core::cone ? std::abs(shape.low + size.z())
-                                                    : std::hypot(size.x(), shape.low + size.z()));
+                                                    : math::hypot(size.x(), shape.low + size.z()));
         check.require(farthest + shape.rounding <= check.slack * bounding_radius,
                       "a convex shape reaches beyond the bounding radius");
     }

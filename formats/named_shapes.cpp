@@ -2,6 +2,7 @@
 #include "formats/named_shapes.hpp"
 
 #include "common/error.hpp"
+#include "common/math/elementary.hpp"
 #include "common/shapes/arcs.hpp"
 #include "common/shapes/profile_curves.hpp"
 #include "formats/shape_parameters.hpp"
@@ -66,7 +67,7 @@ Segments tablet(const ShapeParameters& p) {
     const double cap = p.length("cap_height");
     if (cap > radius) p.fail("cap_height", "a cap no higher than its band_radius");
     const double cap_radius = (square(radius) + square(cap)) / (2.0 * cap);
-    const double half_angle = std::atan2(radius, cap_radius - cap);
+    const double half_angle = math::atan2(radius, cap_radius - cap);
     const Vec2 center(0.0, half_band + cap - cap_radius);
     const Segments sharp{
         EllipseArc{-center, cap_radius, cap_radius, -0.5 * pi, -0.5 * pi + half_angle},

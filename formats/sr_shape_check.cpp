@@ -114,7 +114,7 @@ void check_curvature(const SrShape& shape, const ValueCheck& check) {
 }
 
 bool holds(const SurfaceNodes::Ball& ball, const SurfaceNodes::Node& node) {
-    const double distance = std::hypot(node.x - ball.x, node.y - ball.y, node.z - ball.z);
+    const double distance = Vec3(node.x - ball.x, node.y - ball.y, node.z - ball.z).norm();
     return distance <= ball.radius * (1.0 + 1e-9);
 }
 

@@ -2,6 +2,7 @@
 #include "runtime/time_step.hpp"
 
 #include "common/error.hpp"
+#include "common/math/elementary.hpp"
 #include "runtime/domain.hpp"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ double rayleigh_time(const Material& material, double radius) {
 
 // Duration of an elastic contact of reduced mass m, reduced radius R and reduced modulus Y.
 double hertz_time(double m, double R, double Y, double speed) {
-    return 2.8683 * std::pow(square(m) / (R * square(Y) * speed), 0.2);
+    return 2.8683 * math::pow(square(m) / (R * square(Y) * speed), 0.2);
 }
 
 // Longest step of a body under the linear law, and whether it has another law as well.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/math/quadrature.hpp"
 
+#include "common/math/elementary.hpp"
+
 namespace dem {
 namespace {
 
@@ -8,7 +10,7 @@ GaussRule make_gauss_rule() {
     GaussRule rule{};
     constexpr auto n = static_cast<int>(GaussRule::size);
     for (int i = 0; i < n; ++i) {
-        double x = std::cos(pi * (i + 0.75) / (n + 0.5));
+        double x = math::cos(pi * (i + 0.75) / (n + 0.5));
         double slope = 0.0;
         for (int iteration = 0; iteration < 10; ++iteration) {
             double p = 1.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/shapes/arcs.hpp"
 
+#include "common/math/elementary.hpp"
 #include "common/shapes/profile_curves.hpp"
 
 #include <cmath>
@@ -14,7 +15,7 @@ double cross(const Vec2& a, const Vec2& b) {
 }
 
 double angle_of(const Vec2& v) {
-    return std::atan2(v.y(), v.x());
+    return math::atan2(v.y(), v.x());
 }
 
 /// The line or circle on which the centers of all arcs of one radius tangent to a segment lie.

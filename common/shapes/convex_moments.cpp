@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/shapes/convex_moments.hpp"
 
+#include "common/math/elementary.hpp"
 #include "common/math/quadrature.hpp"
 
 #include <cmath>
@@ -30,8 +31,8 @@ struct Piece {
 /// Adds the points y + s u, 0 <= s <= r, y of a piece of dimension 2 - power and u of its
 /// directions, each with the volume s^power ds dy du.
 void add_layer(ConvexMoments& m, const Piece& y, const Piece& u, double r, int power) {
-    const double r_power = std::pow(r, power);
-    const auto over = [&](int k) { return r_power * std::pow(r, k + 1) / (power + k + 1); };
+    const double r_power = math::pow(r, power);
+    const auto over = [&](int k) { return r_power * math::pow(r, k + 1) / (power + k + 1); };
     m.volume += over(0) * y.size * u.size;
     m.first += over(0) * u.size * y.first + over(1) * y.size * u.first;
     m.second += over(0) * u.size * y.second + over(1) * symmetric(y.first, u.first) +
@@ -71,11 +72,11 @@ void add_face(ConvexMoments& m, const ConvexShape& shape, Index face) {
 
 /// Directions on the great circle from a to b (unit, normal to the edge).
 Piece arc_piece(const Vec3& a, const Vec3& b) {
-    const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+    const double angle = math::atan2(a.cross(b).norm(), a.dot(b));
     const Vec3 middle = (a + b).normalized();
     const Vec3 across = (b - a).normalized();
-    const double half_sine = 0.5 * std::sin(angle);
-    return {angle, 2.0 * std::sin(0.5 * angle) * middle,
+    const double half_sine = 0.5 * math::sin(angle);
+    return {angle, 2.0 * math::sin(0.5 * angle) * middle,
             (0.5 * angle + half_sine) * outer(middle, middle) +
                 (0.5 * angle - half_sine) * outer(across, across)};
 }
@@ -132,7 +133,7 @@ Piece cone_piece(const std::vector<Vec3>& corners) {
         const Vec3& a = corners[0];
         const Vec3& b = corners[k];
         const Vec3& c = corners[k + 1];
-        cone.size += 2.0 * std::atan2(a.dot(b.cross(c)), 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
+        cone.size += 2.0 * math::atan2(a.dot(b.cross(c)), 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
     }
     cone.second = cone.size * Mat3::Identity();
     for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -175,7 +176,7 @@ using ProfileIntegrals = Integrals<7>;
 
 /// What a point (r, z) of the profile contributes, moving by (dr, dz).
 ProfileIntegrals profile_part(double r, double z, double dr, double dz) {
-    const double length = std::hypot(dr, dz);
+    const double length = math::hypot(dr, dz);
     const double r2 = r * r;
     ProfileIntegrals p;
     p << r2 * dz, r2 * z * dz, r2 * z * z * dz, r2 * r2 * dz, r * length, r * z * length,
@@ -200,8 +201,8 @@ struct ProfileSum {
     void arc(const Vec2& center, double radius, double from, double to) {
         sum += integrate_panel<7>(
             [&](double t) {
-                const double dr = radius * std::cos(t);
-                const double dz = radius * std::sin(t);
+                const double dr = radius * math::cos(t);
+                const double dz = radius * math::sin(t);
                 return profile_part(center.x() + dr, center.y() + dz, -dz, dr);
             },
             from, to);
@@ -221,8 +222,8 @@ ConvexMoments of_revolution(const ConvexShape& shape) {
         profile.arc({radius, high}, r, 0.0, 0.5 * pi);
         profile.line({radius, high + r}, {0.0, high + r});
     } else {
-        const double angle = std::atan2(radius, shape.size.z);
-        const Vec2 off = r * Vec2(std::cos(angle), std::sin(angle));
+        const double angle = math::atan2(radius, shape.size.z);
+        const Vec2 off = r * Vec2(math::cos(angle), math::sin(angle));
         profile.arc({radius, low}, r, -0.5 * pi, angle);
         profile.line(Vec2(radius, low) + off, Vec2(0.0, high) + off);
         profile.arc({0.0, high}, r, angle, 0.5 * pi);
@@ -282,7 +283,7 @@ ConvexMoments of_ellipsoid(const ConvexShape& shape) {
                       return integrate<6>(
                           [&](double phi) {
                               return ellipsoid_part(
-                                  shape, {across * std::cos(phi), across * std::sin(phi), z});
+                                  shape, {across * math::cos(phi), across * math::sin(phi), z});
                           },
                           0.0, 0.5 * pi);
                   },

@@ -2,6 +2,7 @@
 #include "common/shapes/make_convex.hpp"
 
 #include "common/error.hpp"
+#include "common/math/elementary.hpp"
 #include "common/shapes/convex_moments.hpp"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ void require_rounding(double rounding, double room) {
 
 double bounding_radius(const ConvexShape& shape) {
     const StoredVec3& s = shape.size;
-    const double rim = std::hypot(s.x, shape.low);
+    const double rim = math::hypot(s.x, shape.low);
     double core = 0.0;
     switch (shape.core) {
         case Core::polyhedron:
@@ -44,7 +45,7 @@ double bounding_radius(const ConvexShape& shape) {
             core = std::max({s.x, s.y, s.z});
             break;
         case Core::cylinder:
-            core = std::max(rim, std::hypot(s.x, shape.low + s.z));
+            core = std::max(rim, math::hypot(s.x, shape.low + s.z));
             break;
         case Core::cone:
             core = std::max(rim, std::abs(shape.low + s.z));
@@ -171,7 +172,7 @@ ConvexSolid make_cone(double radius, double height, double rounding) {
     require_positive(radius, "radius");
     require_positive(height, "height");
     // The largest sphere inside touches base and side.
-    const double room = radius * height / (radius + std::hypot(radius, height));
+    const double room = radius * height / (radius + math::hypot(radius, height));
     require_rounding(rounding, room);
     const double scale = 1.0 - rounding / room;
     const Vec3 size(scale * radius, scale * radius, scale * height);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/shapes/mass_properties.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <array>
 #include <cmath>
 
@@ -70,7 +72,7 @@ MassProperties principal_mass_properties(double volume, const Vec3& center_of_ma
 }
 
 double equivalent_diameter(double volume) {
-    return std::cbrt(6.0 * volume / pi);
+    return math::cbrt(6.0 * volume / pi);
 }
 
 }  // namespace dem

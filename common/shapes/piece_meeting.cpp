@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/shapes/piece_meeting.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +24,7 @@ double chord_distance(const ProfilePiece& a, const ProfilePiece& b) {
 }
 
 double angle_between(const Vec2& a, const Vec2& b) {
-    return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
+    return math::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/shapes/profile.hpp"
 
+#include "common/math/elementary.hpp"
 #include "common/shapes/profile_checks.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ Vec2 right_normal(const Vec2& tangent) {
 }
 
 double signed_turn(const Vec2& from, const Vec2& to) {
-    return std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+    return math::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
 }
 
 double extent(std::span<const ProfileSegment> segments, std::span<const ProfilePiece> pieces,
@@ -89,13 +90,13 @@ std::vector<Profile::Corner> Profile::corners(double max_angle) const {
         if (pi - turn < max_angle) corners.push_back({segment, point, pi - turn});
     };
     const CurveJet bottom = evaluate(segments_.front(), 0.0);
-    add(segments_.size(), bottom.point, 2.0 * std::atan2(bottom.first.y(), bottom.first.x()));
+    add(segments_.size(), bottom.point, 2.0 * math::atan2(bottom.first.y(), bottom.first.x()));
     for (std::size_t i = 1; i < segments_.size(); ++i) {
         const CurveJet start = evaluate(segments_[i], 0.0);
         add(i - 1, start.point, signed_turn(evaluate(segments_[i - 1], 1.0).first, start.first));
     }
     const CurveJet top = evaluate(segments_.back(), 1.0);
-    add(segments_.size() - 1, top.point, 2.0 * std::atan2(top.first.y(), -top.first.x()));
+    add(segments_.size() - 1, top.point, 2.0 * math::atan2(top.first.y(), -top.first.x()));
     return corners;
 }
 

@@ -2,6 +2,7 @@
 #include "common/shapes/profile_checks.hpp"
 
 #include "common/error.hpp"
+#include "common/math/elementary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +93,7 @@ class AxisCheck {
     /// By its turn the piece cannot come back to the axis that it left at an angle.
     bool leaves_axis(const ProfilePiece& piece, double t, double sense) const {
         const Vec2 tangent = sense * evaluate(segment_, t).first.normalized();
-        return std::asin(std::clamp(tangent.x(), -1.0, 1.0)) > piece.turn;
+        return math::asin(std::clamp(tangent.x(), -1.0, 1.0)) > piece.turn;
     }
 
     const ProfileSegment& segment_;
@@ -115,7 +116,7 @@ void check_folds(std::span<const ProfileSegment> segments, std::span<const std::
         const Vec2 back = -evaluate(segments[i - 1], 1.0).first;
         const CurveJet ahead = evaluate(segments[i], 0.0);
         const double sine = std::abs(back.x() * ahead.first.y() - back.y() * ahead.first.x());
-        if (std::atan2(sine, back.dot(ahead.first)) < smallest_angle)
+        if (math::atan2(sine, back.dot(ahead.first)) < smallest_angle)
             throw Error(labels[i], "the profile folds back on itself at " + text(ahead.point) +
                                        ", expected an angle between the two parts");
     }

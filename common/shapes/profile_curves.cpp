@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/shapes/profile_curves.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,17 +23,17 @@ class SuperquadricQuarter final : public ParametricCurve {
 
     CurveJet evaluate(double t) const override {
         const double s = start_ + 0.5 * pi * t;
-        const double x = std::max(std::cos(s), 0.0);
-        const double y = std::sin(s);
+        const double x = std::max(math::cos(s), 0.0);
+        const double y = math::sin(s);
         const double h = std::abs(y);
         const double sign = y < 0.0 ? -1.0 : 1.0;
         // Below m = 2 the curvature is infinite at the axes; keep it finite there.
-        const double x2 = std::pow(std::max(x, 1e-9), m_ - 2.0);
-        const double h2 = std::pow(std::max(h, 1e-9), m_ - 2.0);
+        const double x2 = math::pow(std::max(x, 1e-9), m_ - 2.0);
+        const double h2 = math::pow(std::max(h, 1e-9), m_ - 2.0);
         const double sum = x * x * x2 + h * h * h2;
         const double sum1 = m_ * sign * x * h * (h2 - x2);
         const double sum2 = m_ * ((m_ - 1.0) * (x2 * h * h + h2 * x * x) - sum);
-        const double g = std::pow(sum, -1.0 / m_);
+        const double g = math::pow(sum, -1.0 / m_);
         const double log1 = -sum1 / (m_ * sum);  // derivatives of ln g
         const double log2 = -(sum2 / sum - square(sum1 / sum)) / m_;
         const double g1 = g * log1;
@@ -56,16 +58,16 @@ class CassiniHalf final : public ParametricCurve {
     CurveJet evaluate(double t) const override {
         const double s = pi * (1.0 - t);
         const double f4 = f2_ * f2_;
-        const double c2 = std::cos(2.0 * s);
-        const double s2 = std::sin(2.0 * s);
+        const double c2 = math::cos(2.0 * s);
+        const double s2 = math::sin(2.0 * s);
         const double root = std::sqrt(p4_ - f4 * s2 * s2);
         const double root1 = -2.0 * f4 * s2 * c2 / root;
         const double root2 = (-4.0 * f4 * (c2 * c2 - s2 * s2) - root1 * root1) / root;
         const double rho = std::sqrt(f2_ * c2 + root);
         const double rho1 = (-2.0 * f2_ * s2 + root1) / (2.0 * rho);
         const double rho2 = (-4.0 * f2_ * c2 + root2 - 2.0 * rho1 * rho1) / (2.0 * rho);
-        const double x = t == 0.0 || t == 1.0 ? 0.0 : std::sin(s);
-        const double y = std::cos(s);
+        const double x = t == 0.0 || t == 1.0 ? 0.0 : math::sin(s);
+        const double y = math::cos(s);
         return by_parameter(
             {{rho * x, rho * y},
              {rho1 * x + rho * y, rho1 * y - rho * x},
@@ -84,8 +86,8 @@ class RedBloodCellHalf final : public ParametricCurve {
 
     CurveJet evaluate(double t) const override {
         const double s = pi * (t - 0.5);
-        const double x = t == 0.0 || t == 1.0 ? 0.0 : std::cos(s);
-        const double y = std::sin(s);
+        const double x = t == 0.0 || t == 1.0 ? 0.0 : math::cos(s);
+        const double y = math::sin(s);
         const double thickness = c_[0] + x * x * (c_[1] + x * x * c_[2]);
         const double slope = x * (2.0 * c_[1] + 4.0 * x * x * c_[2]);  // d thickness / d x
         const double bend = 2.0 * c_[1] + 12.0 * x * x * c_[2];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/shapes/profile_piece.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -16,7 +18,7 @@ double cross(const Vec2& a, const Vec2& b) {
 }
 
 double angle_between(const Vec2& a, const Vec2& b) {
-    return std::atan2(std::abs(cross(a, b)), a.dot(b));
+    return math::atan2(std::abs(cross(a, b)), a.dot(b));
 }
 
 const EllipseArc* as_circle(const ProfileSegment& segment) {
@@ -27,7 +29,8 @@ const EllipseArc* as_circle(const ProfileSegment& segment) {
 /// How far a curve can leave its chord: by its curvature (the arc is at most 10 % longer than the
 /// chord while it turns by less than 0.1 rad), and by staying in the cone of its tangents.
 double bulge_bound(double chord, double curvature, double turn) {
-    const double by_turn = 0.5 * chord * std::tan(std::min(turn, 1.0));
+    const auto [sine, cosine] = math::sin_cos(std::min(turn, 1.0));
+    const double by_turn = 0.5 * chord * sine / cosine;
     const double by_curvature = 0.125 * curvature * square(1.1 * chord);
     return std::min(by_turn, by_curvature);
 }
@@ -48,8 +51,8 @@ void append_circle(const ProfileSegment& segment, const EllipseArc& arc, std::ui
         const CurveJet from = evaluate(segment, t0);
         const CurveJet to = evaluate(segment, t1);
         pieces.push_back({from.point, to.point, from.first, to.first, t0, t1, index,
-                          arc.a * (1.0 - std::cos(0.5 * turn)) * (1.0 + 1e-9), curvature, curvature,
-                          turn});
+                          arc.a * (1.0 - math::cos(0.5 * turn)) * (1.0 + 1e-9), curvature,
+                          curvature, turn});
     }
 }
 
@@ -104,8 +107,8 @@ Range curvature_times_height(const ProfilePiece& piece, const Vec2& x) {
         std::max(std::abs(chord.dot(x - piece.from)), std::abs(chord.dot(x - piece.to))) +
         piece.bulge;
     // The normals tilt against that of the chord by at most the turn.
-    const double shrink = across * (1.0 - std::cos(piece.turn));
-    const double margin = piece.bulge + std::sin(std::min(piece.turn, 0.5 * pi)) * along;
+    const double shrink = across * (1.0 - math::cos(piece.turn));
+    const double margin = piece.bulge + math::sin(std::min(piece.turn, 0.5 * pi)) * along;
     const double low = across - std::max(shrink, 0.0) - margin;
     const double high = across - std::min(shrink, 0.0) + margin;
     const auto [lowest, highest] =
@@ -181,10 +184,10 @@ void improve_on_circle(const ProfilePiece& piece, const EllipseArc& arc, const V
     const double middle = arc.start + 0.5 * (piece.t0 + piece.t1) * sweep;
     const double half = 0.5 * std::abs(sweep) * (piece.t1 - piece.t0);
     const double off =
-        reach > 0.0 ? std::remainder(std::atan2(spoke.y(), spoke.x()) - middle, 2.0 * pi) : 0.0;
+        reach > 0.0 ? std::remainder(math::atan2(spoke.y(), spoke.x()) - middle, 2.0 * pi) : 0.0;
     if (std::abs(off) <= half) {
         const Vec2 radial =
-            reach > 0.0 ? Vec2(spoke / reach) : Vec2(std::cos(middle), std::sin(middle));
+            reach > 0.0 ? Vec2(spoke / reach) : Vec2(math::cos(middle), math::sin(middle));
         const double t = std::clamp((middle + off - arc.start) / sweep, piece.t0, piece.t1);
         improve(best, arc.center + arc.a * radial, piece, t, std::abs(reach - arc.a));
         return;

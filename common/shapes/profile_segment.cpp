@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/shapes/profile_segment.hpp"
 
+#include "common/math/elementary.hpp"
 #include "common/math/quadrature.hpp"
 
 #include <utility>
@@ -47,8 +48,8 @@ CurveJet jet_of(const LineSegment& line, double t) {
 CurveJet jet_of(const EllipseArc& arc, double t) {
     const double sweep = arc.end - arc.start;
     const double phi = t < 0.5 ? arc.start + t * sweep : arc.end - (1.0 - t) * sweep;
-    const double c = std::cos(phi);
-    const double s = std::sin(phi);
+    const double c = math::cos(phi);
+    const double s = math::sin(phi);
     const Vec2 spoke(arc.a * c, arc.b * s);
     return {arc.center + spoke, sweep * Vec2(-arc.a * s, arc.b * c), -sweep * sweep * spoke};
 }

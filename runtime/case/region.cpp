@@ -2,6 +2,7 @@
 #include "runtime/case/region.hpp"
 
 #include "common/error.hpp"
+#include "common/math/elementary.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -32,7 +33,7 @@ std::vector<Vec3> hull(const Region& region) {
     constexpr int rim_points = 360;
     for (int k = 0; k < rim_points; ++k) {
         const double phi = 2.0 * pi * k / rim_points;
-        const Vec3 radial = cylinder.radius * (std::cos(phi) * u + std::sin(phi) * v);
+        const Vec3 radial = cylinder.radius * (math::cos(phi) * u + math::sin(phi) * v);
         points.push_back(cylinder.from + radial);
         points.push_back(cylinder.to + radial);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/convex_round.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -17,8 +19,8 @@ struct SampleCircle {
     SampleCircle() {
         for (std::size_t k = 0; k < cosine.size(); ++k) {
             const double angle = 2.0 * pi * static_cast<double>(k) / PlacedCap::sample_count;
-            cosine[k] = std::cos(angle);
-            sine[k] = std::sin(angle);
+            cosine[k] = math::cos(angle);
+            sine[k] = math::sin(angle);
         }
     }
 };

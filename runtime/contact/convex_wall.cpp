@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/convex_wall.hpp"
 
+#include "common/math/elementary.hpp"
 #include "runtime/contact/convex_pair.hpp"
 #include "runtime/contact/farthest_of_ellipse.hpp"
 #include "runtime/contact/wall_frame.hpp"
@@ -187,7 +188,7 @@ PairContact at_rod(const ConvexShape& a, const CylinderWall& wall, const ConvexC
     rod.core = ConvexShape::Core::cylinder;
     rod.size = Vec3(wall.radius, wall.radius, high - low);
     rod.low = low;
-    rod.bounding_radius = std::hypot(wall.radius, std::max(std::abs(low), std::abs(high)));
+    rod.bounding_radius = math::hypot(wall.radius, std::max(std::abs(low), std::abs(high)));
     const PlacedCore i(a, call.pair.i.orientation, Vec3::Zero());
     const PlacedCore j(rod, call.pair.j.orientation, call.pair.displacement);
     return core_contact(i, j, {a.equivalent_diameter, infinite}, call);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/farthest_of_ellipse.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -86,8 +88,8 @@ FarthestPlaces farthest_places(const Ellipse& ellipse) {
     // The slope of the other quadrant is highest, relative to sin theta cos theta, at theta_0 with
     // tan^3 theta_0 = u b^2 / (v a^2); if it is positive there, a maximum follows.
     const Quadrant other(-std::abs(u), std::abs(v), ellipse);
-    const double sine = std::cbrt(std::abs(u) * square(ellipse.b));
-    const double cosine = std::cbrt(std::abs(v) * square(ellipse.a));
+    const double sine = math::cbrt(std::abs(u) * square(ellipse.b));
+    const double cosine = math::cbrt(std::abs(v) * square(ellipse.a));
     const double length = std::sqrt(sine * sine + cosine * cosine);
     const double tangent = length > 0.0 ? sine / (length + cosine) : 0.0;
     const double low = std::clamp(tangent, 1e-9, 1.0 - 1e-9);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/math/elementary.hpp"
 #include "common/shapes/sdf_quadtree.hpp"
 #include "common/shapes/sr_shape.hpp"
 #include "common/shapes/support_map.hpp"
@@ -165,7 +166,7 @@ struct RodField : ExactField {
         const AxialPoint p = axial_point(x - origin, axis);
         const double side = p.r - radius;
         const double end = beyond_end(p.z);
-        if (side > 0.0 && end > 0.0) return {std::hypot(side, end)};
+        if (side > 0.0 && end > 0.0) return {math::hypot(side, end)};
         return {std::max(side, end)};
     }
     /// In front of the edge away from it, elsewhere away from the nearer of side and end.

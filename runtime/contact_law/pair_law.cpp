@@ -2,6 +2,7 @@
 #include "runtime/contact_law/pair_law.hpp"
 
 #include "common/error.hpp"
+#include "common/math/elementary.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -33,7 +34,7 @@ double shear_modulus(const Elasticity& material) {
 double hertz_damping(double restitution) {
     require(restitution > 0.0 && restitution <= 1.0, "restitution", restitution,
             "a number above 0 and up to 1");
-    const double log_e = std::log(restitution);
+    const double log_e = math::log(restitution);
     return std::sqrt(5.0) * std::abs(log_e) / std::sqrt(pi * pi + log_e * log_e);
 }
 
@@ -62,8 +63,8 @@ ContactLaw linear_law(double normal_stiffness, double restitution, double tangen
             tangential_restitution, "a number above 0 and up to 1");
     require(options.friction >= 0.0 && std::isfinite(options.friction), "friction",
             options.friction, "zero or a positive number");
-    const double log_n = std::log(restitution);
-    const double log_t = std::log(tangential_restitution);
+    const double log_n = math::log(restitution);
+    const double log_t = math::log(tangential_restitution);
     const double normal = pi * pi + log_n * log_n;
     ContactLaw law = options;
     law.model = ContactLaw::Model::linear;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/math/elementary.hpp"
 #include "common/math/types.hpp"
 
 #include <cmath>
@@ -20,8 +21,9 @@ inline Quat rotation(const Vec3& turn) {
         cosine = 1.0 - x2 * (1.0 / 2.0 - x2 * (1.0 / 24.0));
     } else {
         const double x = std::sqrt(x2);
-        cosine = std::cos(x);
-        sine_ratio = std::sin(x) / x;
+        const math::SineCosine half = math::sin_cos(x);
+        cosine = half.cosine;
+        sine_ratio = half.sine / x;
     }
     const double s = 0.5 * sine_ratio;
     return {cosine, s * turn.x(), s * turn.y(), s * turn.z()};

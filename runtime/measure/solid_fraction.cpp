@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/measure/solid_fraction.hpp"
 
+#include "common/math/elementary.hpp"
 #include "common/shapes/surface_distance.hpp"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ struct VesselPoints {
     Vec2 in_circle(const Vessel& vessel, double u, double v) {
         const double r = vessel.radius * std::sqrt(u);
         from_the_wall.push_back(vessel.radius - r);
-        return {r * std::cos(2.0 * pi * v), r * std::sin(2.0 * pi * v)};
+        return {r * math::cos(2.0 * pi * v), r * math::sin(2.0 * pi * v)};
     }
     Vec2 in_box(const Vessel& vessel, double u, double v) {
         const double depth = vessel.cross_section / vessel.width;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/measure/vessel.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -72,7 +74,7 @@ std::optional<Vessel> upright_box(const Scene& scene, const Vec3& up) {
     if (std::isinf(width) || std::isinf(depth)) return std::nullopt;
     const Vec3 center =
         0.5 * (low.x() + high.x()) * side + 0.5 * (low.y() + high.y()) * other + *floor * up;
-    const double radius = 0.5 * std::hypot(width, depth);
+    const double radius = 0.5 * math::hypot(width, depth);
     return Vessel{Vessel::Shape::box, up, center, *floor, radius, width * depth, side, width};
 }
 

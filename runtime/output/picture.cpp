@@ -5,6 +5,7 @@
 #include "runtime/output/picture.hpp"
 
 #include "common/math/aabb.hpp"
+#include "common/math/elementary.hpp"
 #include "runtime/output/wall_lines.hpp"
 
 #include <algorithm>
@@ -59,9 +60,9 @@ Aabb bounds(std::span<const PictureBody> bodies) {
 
 Camera make_camera(const PictureView& view, std::span<const PictureBody> bodies,
                    const Segments& lines) {
-    const double ce = std::cos(view.elevation);
-    const Vec3 towards_viewer(ce * std::cos(view.azimuth), ce * std::sin(view.azimuth),
-                              std::sin(view.elevation));
+    const double ce = math::cos(view.elevation);
+    const Vec3 towards_viewer(ce * math::cos(view.azimuth), ce * math::sin(view.azimuth),
+                              math::sin(view.elevation));
     const Vec3 right = Vec3::UnitZ().cross(towards_viewer).normalized();
     Camera camera;
     camera.axes.row(0) = right;

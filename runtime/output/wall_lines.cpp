@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/output/wall_lines.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <cmath>
 #include <tuple>
 
@@ -21,9 +23,8 @@ using Polygon = std::vector<Vec3>;
 void add_circle(Segments& lines, const WallState& state, double radius, double z) {
     constexpr int sides = 96;
     const auto point = [&](int k) -> Vec3 {
-        const double phi = 2.0 * pi * k / sides;
-        return state.position +
-               state.body.orientation * Vec3(radius * std::cos(phi), radius * std::sin(phi), z);
+        const auto [sine, cosine] = math::sin_cos(2.0 * pi * k / sides);
+        return state.position + state.body.orientation * Vec3(radius * cosine, radius * sine, z);
     };
     for (int k = 0; k < sides; ++k) lines.emplace_back(point(k), point(k + 1));
 }
@@ -41,7 +42,7 @@ void add_cylinder(Segments& lines, const CylinderWall& wall, const WallState& st
     add_circle(lines, state, wall.radius, to);
     for (int k = 0; k < 4; ++k) {
         const double phi = 0.5 * pi * k;
-        const Vec3 side(wall.radius * std::cos(phi), wall.radius * std::sin(phi), 0.0);
+        const Vec3 side(wall.radius * math::cos(phi), wall.radius * math::sin(phi), 0.0);
         lines.emplace_back(state.position + state.body.orientation * (side + from * Vec3::UnitZ()),
                            state.position + state.body.orientation * (side + to * Vec3::UnitZ()));
     }

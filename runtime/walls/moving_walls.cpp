@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/walls/moving_walls.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +18,7 @@ double largest_distance(const Aabb& box, const Vec3& x) {
 double surface_travel(const WallState& before, const WallState& after, double reach) {
     const Vec3 axis_before = before.body.orientation * Vec3::UnitZ();
     const Vec3 axis_after = after.body.orientation * Vec3::UnitZ();
-    const double tilt = 2.0 * std::asin(std::min(1.0, 0.5 * (axis_after - axis_before).norm()));
+    const double tilt = 2.0 * math::asin(std::min(1.0, 0.5 * (axis_after - axis_before).norm()));
     return (after.position - before.position).norm() + tilt * reach;
 }
 

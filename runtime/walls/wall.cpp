@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/walls/wall.hpp"
 
+#include "common/math/elementary.hpp"
+#include "common/math/rotation.hpp"
+
 #include <cmath>
 
 namespace dem {
@@ -21,7 +24,7 @@ WallState wall_state(const Wall& wall, double t) {
             if (moving) state.body.velocity = motion.velocity;
             break;
         case WallMotion::Kind::rotate: {
-            const Quat turn(Eigen::AngleAxisd(motion.rate * s, motion.axis));
+            const Quat turn = rotation_about(motion.axis, motion.rate * s);
             state.position = motion.point + turn * Vec3(wall.position - motion.point);
             state.body.orientation = turn * wall.orientation;
             if (moving) {
@@ -33,9 +36,10 @@ WallState wall_state(const Wall& wall, double t) {
         }
         case WallMotion::Kind::oscillate: {
             const double omega = 2.0 * pi * motion.frequency;
-            state.position += motion.amplitude * std::sin(omega * s) * motion.axis;
+            const auto [sine, cosine] = math::sin_cos(omega * s);
+            state.position += motion.amplitude * sine * motion.axis;
             if (moving) {
-                state.body.velocity = motion.amplitude * omega * std::cos(omega * s) * motion.axis;
+                state.body.velocity = motion.amplitude * omega * cosine * motion.axis;
             }
             break;
         }

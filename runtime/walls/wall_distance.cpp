@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/walls/wall_distance.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +13,7 @@ namespace {
 // Bodies behind a disc are let through until their centre is in front, so both of its sides count.
 double distance(const PlaneWall& plane, double rho, double z) {
     if (std::isinf(plane.radius)) return z;
-    return std::hypot(std::max(0.0, rho - plane.radius), z);
+    return math::hypot(std::max(0.0, rho - plane.radius), z);
 }
 
 double distance(const CylinderWall& cylinder, double rho, double z) {
@@ -19,9 +21,9 @@ double distance(const CylinderWall& cylinder, double rho, double z) {
     const double beyond =
         std::isinf(cylinder.length) ? -cylinder.length : std::max(-z, z - cylinder.length);
     if (cylinder.inside) {
-        return beyond > 0.0 ? std::hypot(std::max(0.0, inwards), beyond) : inwards;
+        return beyond > 0.0 ? math::hypot(std::max(0.0, inwards), beyond) : inwards;
     }
-    const double outside = std::hypot(std::max(0.0, -inwards), std::max(0.0, beyond));
+    const double outside = math::hypot(std::max(0.0, -inwards), std::max(0.0, beyond));
     return outside > 0.0 ? outside : std::max(-inwards, beyond);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/certificate/sdf_error.hpp"
 
+#include "common/math/elementary.hpp"
 #include "common/shapes/sdf_quadtree.hpp"
 #include "shapegen/revolution/profile_samples.hpp"
 
@@ -40,7 +41,7 @@ void measure_near_surface(const Profile& profile, const SdfQuadtree& sdf, double
             const double e = std::abs(s.distance - exact);
             const Vec2 g = exact_direction(profile, x, exact);
             const double angle =
-                std::abs(std::atan2(g[0] * s.d_dz - g[1] * s.d_dr, g[0] * s.d_dr + g[1] * s.d_dz));
+                std::abs(math::atan2(g[0] * s.d_dz - g[1] * s.d_dr, g[0] * s.d_dr + g[1] * s.d_dz));
             weights += weight;
             error.mean += weight * e;
             error.rms += weight * e * e;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/clump/exchange.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -119,7 +121,7 @@ void Exchange::find_rivals(const Ball& old, const Gap& gap) {
     const auto open = static_cast<double>(gap_points_.size());
     rivals_.clear();
     // A ball of fewer cells than are to be won is no rival.
-    const double smallest = cover_.cell_size() * (std::cbrt(0.75 / pi * open) - 0.9);
+    const double smallest = cover_.cell_size() * (math::cbrt(0.75 / pi * open) - 0.9);
     tree_->visit_meeting(old, smallest, [&](std::uint32_t i) {
         const Ball& c = candidates_[i];
         if (!gap.may_hold(1.0 - doubt - gains_[i] / open, c)) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/clump/judge.hpp"
 
+#include "common/math/elementary.hpp"
 #include "common/shapes/mass_properties.hpp"
 #include "shapegen/clump/ball_rows.hpp"
 #include "shapegen/clump/sample_blocks.hpp"
@@ -108,7 +109,7 @@ void measure_surface(const SurfaceQuery& surface, double d_eq, std::span<const B
         const auto [ball, distance] = nearest[i];
         const Vec3 way = samples[i].point - balls[ball].center;
         const double angle =
-            std::atan2(way.cross(samples[i].normal).norm(), way.dot(samples[i].normal));
+            math::atan2(way.cross(samples[i].normal).norm(), way.dot(samples[i].normal));
         squares += square(distance);
         slopes += square(angle);
         deepest = std::max(deepest, distance);

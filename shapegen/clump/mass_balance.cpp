@@ -2,6 +2,7 @@
 #include "shapegen/clump/mass_balance.hpp"
 
 #include "common/error.hpp"
+#include "common/math/elementary.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,11 +40,11 @@ class Program {
     Program(std::span<const Ball> balls, const MassProperties& body)
         : count_(static_cast<int>(balls.size())), problem_(glp_create_prob(), glp_delete_prob) {
         glp_term_out(GLP_OFF);
-        const double length = std::cbrt(body.volume);
+        const double length = math::cbrt(body.volume);
         const Vec3 principal = body.principal_moments_per_density / (body.volume * square(length));
         for (int axis = 0; axis < 3; ++axis) {
             const auto a = static_cast<std::size_t>(axis);
-            scales_[a] = std::cbrt(6.0 / pi);  // the diameter of the sphere of volume 1
+            scales_[a] = math::cbrt(6.0 / pi);  // the diameter of the sphere of volume 1
             wanted_[3 + a] = scales_[3 + a] = principal[axis];
             scales_[6 + a] = principal.mean();
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/convex/convex_display.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +22,7 @@ class RingPoints {
     /// Chords of an arc that leave it by the tolerance at most.
     int chords(double radius, double angle) const {
         if (radius == 0.0) return 1;
-        const double half = std::acos(std::max(1.0 - tolerance_ / radius, 0.7));
+        const double half = math::acos(std::max(1.0 - tolerance_ / radius, 0.7));
         return std::max(1, static_cast<int>(std::ceil(0.5 * angle / half)));
     }
 
@@ -30,7 +32,7 @@ class RingPoints {
         const int steps = chords(tube, end - begin);
         for (int i = 0; i <= steps; ++i) {
             const double angle = begin + (end - begin) * i / steps;
-            ring(tube_center + tube * std::sin(angle), z + tube * std::cos(angle));
+            ring(tube_center + tube * math::sin(angle), z + tube * math::cos(angle));
             if (tube == 0.0) return;
         }
     }
@@ -43,7 +45,7 @@ class RingPoints {
         const int steps = std::max(8, chords(radius, 2.0 * pi));
         for (int i = 0; i < steps; ++i) {
             const double angle = 2.0 * pi * i / steps;
-            points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+            points.emplace_back(radius * math::cos(angle), radius * math::sin(angle), z);
         }
     }
 
@@ -90,7 +92,7 @@ std::vector<Vec3> round_points(const ConvexShape& shape, double tolerance) {
             rings.arc(s.x, shape.low, shape.rounding, 0.5 * pi, pi);
             return rings.points;
         case ConvexShape::Core::cone: {
-            const double side = std::atan2(s.z, s.x);  // polar angle of the normal of the side
+            const double side = math::atan2(s.z, s.x);  // polar angle of the normal of the side
             rings.arc(0.0, high, shape.rounding, 0.0, side);
             rings.arc(s.x, shape.low, shape.rounding, side, pi);
             return rings.points;

@@ -2,6 +2,7 @@
 #include "shapegen/convex/granular.hpp"
 
 #include "common/error.hpp"
+#include "common/math/elementary.hpp"
 #include "common/random.hpp"
 #include "common/shapes/convex_moments.hpp"
 #include "shapegen/convex/convex_display.hpp"
@@ -32,7 +33,7 @@ Vec3 on_ellipsoid(const Vec3& p, const Vec3& axes) {
 /// Moves points on an ellipsoid as charges of one sign would move, each at most a quarter of the
 /// mean spacing in a round.
 void relax(std::vector<Vec3>& points, const Vec3& axes) {
-    const double radius = std::cbrt(axes.prod());
+    const double radius = math::cbrt(axes.prod());
     const double spacing = radius * std::sqrt(4.0 * pi / static_cast<double>(points.size()));
     std::vector<Vec3> forces(points.size());
     for (int round = 0; round < relaxing_rounds; ++round) {
@@ -59,7 +60,7 @@ void relax(std::vector<Vec3>& points, const Vec3& axes) {
 std::vector<Vec3> sand_corners(const GranularOptions& options, Random& random) {
     const double count = random.uniform(fewest_corners, most_corners + 1);
     const double radius = 0.5 * options.size;
-    const double thin = radius / std::cbrt(sand_aspect_ratio);
+    const double thin = radius / math::cbrt(sand_aspect_ratio);
     const Vec3 axes = options.base == Base::sphere ? Vec3(radius, radius, radius)
                                                    : Vec3(thin, thin, sand_aspect_ratio * thin);
     std::vector<Vec3> points(static_cast<std::size_t>(count));
@@ -78,7 +79,7 @@ std::vector<Vec3> woodchip_corners(const GranularOptions& options, Random& rando
             unit * (is_upper ? random.uniform(0.4, 0.7) : random.uniform(1.0, 1.3));
         for (int k = 0; k < 4; ++k) {
             const double angle = random.uniform(0.0, 2.0 * pi);
-            points.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+            points.emplace_back(radius * math::cos(angle), radius * math::sin(angle),
                                 is_upper ? half_length : -half_length);
         }
     }

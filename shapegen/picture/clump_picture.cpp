@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/picture/clump_picture.hpp"
 
+#include "common/math/rotation.hpp"
 #include "shapegen/picture/clump_surface.hpp"
 #include "shapegen/picture/cross_section_panel.hpp"
 #include "shapegen/picture/shape_picture.hpp"
@@ -26,8 +27,7 @@ Mat3 camera(const Vec3& moments) {
     axes.col(1) = Vec3::Unit(order[1]);
     axes.col(2) = axes.col(0).cross(axes.col(1));
     const double tilt = 0.4;  // [rad]: shows three sides
-    const Quat turn = Quat(Eigen::AngleAxisd(tilt, Vec3::UnitX())) *
-                      Quat(Eigen::AngleAxisd(-tilt, Vec3::UnitY()));
+    const Quat turn = rotation_about(Vec3::UnitX(), tilt) * rotation_about(Vec3::UnitY(), -tilt);
     return axes * turn.toRotationMatrix().transpose();
 }
 

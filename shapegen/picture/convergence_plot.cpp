@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/picture/convergence_plot.hpp"
 
+#include "common/math/elementary.hpp"
 #include "shapegen/picture/svg_page.hpp"
 
 #include <algorithm>
@@ -33,9 +34,9 @@ struct Decades {
     double bottom, top;  ///< of the fractions
 
     Vec2 operator()(double spheres, double fraction) const {
-        const double y = std::log10(std::max(fraction, smallest));
+        const double y = math::log10(std::max(fraction, smallest));
         return corner +
-               Vec2(size[0] * std::log10(spheres) / right, size[1] * (top - y) / (top - bottom));
+               Vec2(size[0] * math::log10(spheres) / right, size[1] * (top - y) / (top - bottom));
     }
 };
 
@@ -50,21 +51,21 @@ Decades decades(const std::vector<ConvergenceRow>& rows) {
         }
     }
     const double most = static_cast<double>(rows.back().spheres);
-    return {std::max(std::ceil(std::log10(most)), 1.0), std::floor(std::log10(low)),
-            std::max(std::ceil(std::log10(high)), std::floor(std::log10(low)) + 1.0)};
+    return {std::max(std::ceil(math::log10(most)), 1.0), std::floor(math::log10(low)),
+            std::max(std::ceil(math::log10(high)), std::floor(math::log10(low)) + 1.0)};
 }
 
 void draw_grid(SvgPage& page, const Decades& at) {
     for (double d = 0.0; d <= at.right; ++d) {
-        const double x = at(std::pow(10.0, d), 1.0)[0];
+        const double x = at(math::pow(10.0, d), 1.0)[0];
         page.line({x, corner[1]}, {x, corner[1] + size[1]}, {.stroke = "#d4d4d8"});
-        page.text({x, corner[1] + size[1] + 22.0}, short_number(std::pow(10.0, d)), 13,
+        page.text({x, corner[1] + size[1] + 22.0}, short_number(math::pow(10.0, d)), 13,
                   Anchor::middle);
     }
     for (double d = at.bottom; d <= at.top; ++d) {
-        const double y = at(1.0, std::pow(10.0, d))[1];
+        const double y = at(1.0, math::pow(10.0, d))[1];
         page.line({corner[0], y}, {corner[0] + size[0], y}, {.stroke = "#d4d4d8"});
-        page.text({corner[0] - 8.0, y + 4.0}, short_number(100.0 * std::pow(10.0, d)) + " %", 13,
+        page.text({corner[0] - 8.0, y + 4.0}, short_number(100.0 * math::pow(10.0, d)) + " %", 13,
                   Anchor::end);
     }
     page.text(corner + Vec2(0.5 * size[0], size[1] + 48.0), "spheres", 14, Anchor::middle);

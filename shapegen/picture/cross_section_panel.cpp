@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/picture/cross_section_panel.hpp"
 
+#include "common/math/elementary.hpp"
 #include "shapegen/picture/shape_picture.hpp"
 
 #include <algorithm>
@@ -109,7 +110,7 @@ void draw_axis(SvgPage& page, const View& view, const SdfQuadtree& sdf) {
 
 /// The largest of 1, 2, 5 times a power of ten that does not exceed `length`.
 double round_length(double length) {
-    const double decade = std::pow(10.0, std::floor(std::log10(length)));
+    const double decade = math::pow(10.0, std::floor(math::log10(length)));
     for (const double step : {5.0, 2.0}) {
         if (step * decade <= length) return step * decade;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/picture/curvature_panel.hpp"
 
+#include "common/math/elementary.hpp"
 #include "shapegen/picture/shape_picture.hpp"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ struct Axis {
 /// Round ticks that hold [low, high], at least five of them.
 Axis round_axis(double low, double high) {
     const double raw = (high - low) / 10.0;
-    const double decade = std::pow(10.0, std::floor(std::log10(raw)));
+    const double decade = math::pow(10.0, std::floor(math::log10(raw)));
     double step = 10.0 * decade;
     for (const double candidate : {5.0, 2.0, 1.0}) {
         if (candidate * decade >= raw) step = candidate * decade;

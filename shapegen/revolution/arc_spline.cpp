@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/revolution/arc_spline.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,8 +34,8 @@ Biarc biarc(const SupportLink& link) {
     const Vec2 joint = Vec2(chord.y(), -chord.x()).normalized();
     const Vec2 d1 = joint - link.first_normal;
     const Vec2 d2 = link.last_normal - joint;
-    const double half1 = std::sin(0.5 * turn(link.first_normal, joint));
-    const double half2 = std::sin(0.5 * turn(joint, link.last_normal));
+    const double half1 = math::sin(0.5 * turn(link.first_normal, joint));
+    const double half2 = math::sin(0.5 * turn(joint, link.last_normal));
     const double cos1 = std::sqrt(1.0 - half1 * half1);
     const double cos2 = std::sqrt(1.0 - half2 * half2);
     const double ratio = square(half1 / half2);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/revolution/curvature.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -103,7 +105,7 @@ FacetJoint facet_joint(const Profile& profile, std::size_t k) {
     Vec2 out = after->to - after->from;
     if (k == 0) in.y() = -in.y();
     if (k == segments.size()) out.y() = -out.y();
-    const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+    const double turn = math::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
     constexpr double corner = 10.0 * pi / 180.0;
     if (std::abs(turn) >= corner) return {};
     return {turn, turn / (0.5 * (in.norm() + out.norm()))};
@@ -119,8 +121,8 @@ Facet facet(const Profile& profile, std::size_t k, double t, const Vec2& along) 
     const FacetJoint lower = facet_joint(profile, k);
     const FacetJoint upper = facet_joint(profile, k + 1);
     const double tilt = t < 0.5 ? -(0.5 - t) * lower.turn : (t - 0.5) * upper.turn;
-    const double angle = std::atan2(along.y(), along.x());  // n_r = sin of the tangent's angle
-    return {(1.0 - t) * lower.curvature + t * upper.curvature, std::sin(angle + tilt)};
+    const double angle = math::atan2(along.y(), along.x());  // n_r = sin of the tangent's angle
+    return {(1.0 - t) * lower.curvature + t * upper.curvature, math::sin(angle + tilt)};
 }
 
 }  // namespace

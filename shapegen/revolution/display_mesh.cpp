@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/revolution/display_mesh.hpp"
 
+#include "common/math/elementary.hpp"
 #include "shapegen/revolution/profile_samples.hpp"
 #include "shapegen/revolution/rings.hpp"
 #include "shapegen/revolution/surface_deviation.hpp"
@@ -52,7 +53,7 @@ std::vector<bool> thinned(const Samples& samples, double tolerance) {
 /// Chords of a circle of radius r that leave it by at most `tolerance`.
 std::uint32_t chords_around(double r, double tolerance) {
     const double cosine = std::max(1.0 - tolerance / r, 0.5);
-    return static_cast<std::uint32_t>(std::max(std::ceil(pi / std::acos(cosine)), 8.0));
+    return static_cast<std::uint32_t>(std::max(std::ceil(pi / math::acos(cosine)), 8.0));
 }
 
 }  // namespace

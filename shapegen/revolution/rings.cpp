@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/revolution/rings.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <cmath>
 #include <limits>
 
@@ -50,7 +52,7 @@ std::vector<Vec3> ring_points(std::span<const Ring> rings) {
     for (const Ring& ring : rings) {
         for (std::uint32_t i = 0; i < ring.count; ++i) {
             const double phi = azimuth(ring, i);
-            points.emplace_back(ring.r * std::cos(phi), ring.r * std::sin(phi), ring.z);
+            points.emplace_back(ring.r * math::cos(phi), ring.r * math::sin(phi), ring.z);
         }
     }
     return points;

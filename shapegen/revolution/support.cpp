@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/revolution/support.hpp"
 
+#include "common/math/elementary.hpp"
 #include "common/shapes/support_map.hpp"
 #include "shapegen/revolution/arc_spline.hpp"
 
@@ -47,8 +48,8 @@ double fan_difference(const SupportMap& map, const Vec2& from, const Vec2& to, c
     const double angle = turn(from, to);
     double largest = 0.0;
     for (int i = 0; i <= parts && angle > 0.0; ++i) {
-        const double c = std::cos(angle * i / parts);
-        const double s = std::sin(angle * i / parts);
+        const double c = math::cos(angle * i / parts);
+        const double s = math::sin(angle * i / parts);
         const Vec2 normal(c * from.x() - s * from.y(), s * from.x() + c * from.y());
         largest = std::max(largest, difference(map, normal, point));
     }

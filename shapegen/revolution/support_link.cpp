@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/revolution/support_link.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,8 +18,8 @@ constexpr double largest_rise = 3e-5;
 constexpr double same_angle = 1e-12;
 
 Vec2 rotated(const Vec2& v, double angle) {
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
+    const double c = math::cos(angle);
+    const double s = math::sin(angle);
     return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
 
@@ -136,13 +138,13 @@ void settle_poles(std::vector<SupportLink>& links, double size) {
 }  // namespace
 
 double turn(const Vec2& from, const Vec2& to) {
-    return std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+    return math::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
 }
 
 double parameter_of_normal(const ProfileSegment& segment, const Vec2& normal, double t0,
                            double t1) {
     if (const auto* arc = std::get_if<EllipseArc>(&segment)) {
-        const double phi = std::atan2(arc->b * normal.y(), arc->a * normal.x());
+        const double phi = math::atan2(arc->b * normal.y(), arc->a * normal.x());
         const double middle = 0.5 * (arc->start + arc->end);
         const double t = 0.5 + std::remainder(phi - middle, 2.0 * pi) / (arc->end - arc->start);
         return std::clamp(t, t0, t1);

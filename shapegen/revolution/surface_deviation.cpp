@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/revolution/surface_deviation.hpp"
 
+#include "common/math/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,7 @@ double surface_deviation(const Profile& profile, std::span<const Vec3> points,
                          std::span<const std::array<std::uint32_t, 3>> triangles) {
     double largest = 0.0;
     const auto measure = [&](const Vec3& x) {
-        const Vec2 in_half_plane{std::hypot(x.x(), x.y()), x.z()};
+        const Vec2 in_half_plane{math::hypot(x.x(), x.y()), x.z()};
         largest = std::max(largest, std::abs(profile.signed_distance(in_half_plane)));
     };
     for (const auto& [a, b, c] : triangles) {
