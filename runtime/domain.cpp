@@ -132,7 +132,8 @@ Aabb domain(const Scene& scene) {
     }
     room += wall_room + 100.0 * largest_radius;
     if (scene.walls.empty()) room += 0.5 * scene.run.gravity.norm() * square(time);
-    return {box.lower.array() - room, box.upper.array() + room};
+    return {(box.lower.array() - room).max(-farthest_coordinate),
+            (box.upper.array() + room).min(farthest_coordinate)};
 }
 
 }  // namespace dem

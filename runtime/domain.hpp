@@ -6,6 +6,10 @@
 
 namespace dem {
 
+/// No coordinate of a body may be larger [m]: so far out positions lose the digits that contacts
+/// need, and cells of grids their numbers.
+inline constexpr double farthest_coordinate = 1e6;
+
 /// Box about all finite walls, insertion regions and placed bodies of a scene at time 0. Empty when
 /// there are none.
 Aabb scene_extent(const Scene& scene);

@@ -2,6 +2,7 @@
 #include "runtime/case/body_rows.hpp"
 
 #include "common/error.hpp"
+#include "runtime/domain.hpp"
 
 #include <algorithm>
 #include <string>
@@ -10,8 +11,6 @@
 namespace dem {
 
 namespace {
-
-constexpr double farthest = 1e6;  // [m]
 
 /// Rows of one group of the run that wrote the table.
 std::vector<BodyRow> rows_of_group(std::vector<BodyRow> rows, const std::string& group,
@@ -45,7 +44,7 @@ std::vector<BodyRow> read_body_rows(const Values& values, const std::filesystem:
             rows_of_group(std::move(rows), values.text("file_group"), values.where("file_group"));
     }
     for (const BodyRow& row : rows) {
-        if (!(row.position.cwiseAbs().maxCoeff() > farthest)) continue;
+        if (!(row.position.cwiseAbs().maxCoeff() > farthest_coordinate)) continue;
         throw Error(group.file + ":" + std::to_string(row.line),
                     "a body further than 1e6 m from the origin, expected it nearer: so far out "
                     "positions lose the digits that contacts need");

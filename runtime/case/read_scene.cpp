@@ -6,7 +6,9 @@
 #include "runtime/case/region.hpp"
 #include "runtime/case/scene_sections.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 namespace dem {
 
@@ -52,6 +54,27 @@ void require_section(const CaseFile& file, std::string_view pattern) {
     throw Error(file.path, "no section [" + std::string(pattern) + "], it is required");
 }
 
+/// Below this share of a coordinate a radius is too small: contacts would see rounding, and cells
+/// of grids would be as small as the steps between doubles.
+constexpr double smallest_radius_share = 1e-10;
+
+void check_digits(const Scene& scene, const InsertionGroup& group) {
+    Aabb places;
+    if (group.mode != InsertionGroup::Mode::file) places = bounds(group.region);
+    for (const BodyPlacement& body : group.placements) places.extend(body.position);
+    const double farthest =
+        std::max(places.lower.cwiseAbs().maxCoeff(), places.upper.cwiseAbs().maxCoeff());
+    for (const std::uint32_t kind : group.kinds) {
+        const double radius = scene.shapes[scene.kinds[kind].shape].bounding_radius;
+        if (radius >= smallest_radius_share * farthest) continue;
+        std::ostringstream message;
+        message << "bodies of radius " << radius << " m at " << farthest
+                << " m from the origin, expected them within 1e10 radii: positions lose the digits "
+                   "that contacts need";
+        throw Error(group.where, message.str());
+    }
+}
+
 }  // namespace
 
 std::string own_name(const std::string& section) {
@@ -78,6 +101,7 @@ Scene read_scene(const CaseFile& file) {
     for_each(file, "measure.NAME",
              [&](const Values& v) { scene.measures.push_back(read_measure(v, scene.output)); });
     for (const InsertionGroup& group : scene.insertions) {
+        check_digits(scene, group);
         if (group.mode != InsertionGroup::Mode::file)
             check_region(group, scene.walls, scene.run.domain);
     }

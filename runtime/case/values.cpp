@@ -3,9 +3,11 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
+#include "runtime/domain.hpp"
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace dem {
 
@@ -107,6 +109,12 @@ Region parse_region(std::string_view text) {
     if (v.size() != expected) {
         throw Error(std::to_string(v.size()) + " numbers found after '" + std::string(shape) +
                     "', expected " + std::to_string(expected));
+    }
+    for (const double length : v) {
+        if (std::abs(length) <= farthest_coordinate) continue;
+        throw Error(
+            "a coordinate beyond 1e6 m found, expected the region within 1e6 m of the "
+            "origin");
     }
     const Vec3 first(v[0], v[1], v[2]);
     const Vec3 second(v[3], v[4], v[5]);

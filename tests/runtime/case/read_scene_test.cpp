@@ -121,6 +121,22 @@ TEST(ReadScene, KeysOfAnotherLawAreRefused) {
         "with tangential = ratio");
 }
 
+TEST(ReadScene, WhatDoublesCannotTellApartIsRefused) {
+    EXPECT_EQ(case_message(sphere_case(), "particles.balls.region=box 0 0 0 1e16 1e16 1e16 m"),
+              "--set particles.balls.region: a coordinate beyond 1e6 m found, expected the region "
+              "within 1e6 m of the origin");
+    EXPECT_EQ(
+        case_message(sphere_case(), "particles.balls.radius=1e-12",
+                     "particles.balls.region=box -0.01 -0.01 0.01 0.01 0.01 1"),
+        "c.ini:15: bodies of radius 1e-12 m at 1 m from the origin, expected them within 1e10 "
+        "radii: positions lose the digits that contacts need");
+    EXPECT_EQ(
+        case_message(sphere_case(), "particles.balls.insert=batches",
+                     "particles.balls.every=1e-30"),
+        "--set particles.balls.every: makes more than 1e15 batches until end_time, expected a "
+        "longer interval");
+}
+
 TEST(ReadScene, ARegionOutOfTheDomainIsRefused) {
     EXPECT_NE(case_message(sphere_case(), "run.domain=box 0 0 0 1 1 1 mm")
                   .find("the region of [particles.balls] reaches out of the domain"),

@@ -49,7 +49,8 @@ TEST(RegionText, BoxesAndCylindersAreRead) {
     EXPECT_EQ(cylinder.to, Vec3(0.0, 0.0, 2.0));
     EXPECT_EQ(cylinder.radius, 0.5);
     for (const char* bad : {"sphere 0 0 0 1", "box 0 0 0 1 1", "box 0 0 0 1 1 0", "box",
-                            "cylinder 0 0 0 0 0 0 1", "cylinder 0 0 0 0 0 1 -1", "12"}) {
+                            "cylinder 0 0 0 0 0 0 1", "cylinder 0 0 0 0 0 1 -1", "12",
+                            "box 0 0 0 1e16 1e16 1e16 mm", "cylinder 0 0 0 0 0 1 2e6"}) {
         EXPECT_THROW(parse_region(bad), Error) << bad;
     }
 }
