@@ -120,7 +120,7 @@ struct MeasureSettings {
     Kind kind = Kind::fill_height;
     double every = 0.0;  ///< [s]
     /// Of a solid fraction: the layer between these heights above the vessel's floor [m]; without a
-    /// top up to the highest point of any particle.
+    /// top up to the mean surface.
     double bottom = 0.0;
     std::optional<double> top = std::nullopt;
 };

@@ -419,7 +419,7 @@ constexpr Key measure_keys[] = {
      .standard = "auto",
      .words = "auto",
      .when = "kind=solid_fraction",
-     .doc = "of that layer; `auto`: the highest point of any particle"},
+     .doc = "of that layer; `auto`: the mean surface of the bed (`NAME_surface` of `fill_height`)"},
 };
 
 constexpr SectionKind kinds[] = {

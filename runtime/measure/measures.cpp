@@ -40,7 +40,7 @@ std::vector<std::string> measure_columns(const Scene& scene) {
             columns.push_back(measure.name + "_coordination");
             continue;
         }
-        for (const char* where : {"_solid_fraction", "_near_wall", "_core"}) {
+        for (const char* where : {"_solid_fraction", "_near_wall", "_core", "_bulk_density"}) {
             columns.push_back(measure.name + where);
         }
     }
@@ -62,10 +62,10 @@ std::vector<double> measure_values(const Simulation& simulation) {
             case Kind::solid_fraction: {
                 const Scene& scene = simulation.scene();
                 const double top =
-                    measure.top ? *measure.top : fill_height(simulation.particles(), scene).highest;
+                    measure.top ? *measure.top : fill_height(simulation.particles(), scene).surface;
                 const SolidFraction f = solid_fraction(simulation.particles(), scene,
                                                        *find_vessel(scene), {measure.bottom, top});
-                values.insert(values.end(), {f.overall, f.near_wall, f.core});
+                values.insert(values.end(), {f.overall, f.near_wall, f.core, f.bulk_density});
                 break;
             }
         }

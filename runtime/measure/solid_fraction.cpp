@@ -67,9 +67,10 @@ SolidFraction solid_fraction(const Particles& particles, const Scene& scene, con
     if (particles.size() == 0 || !(height > 0.0)) return result;
     const VesselPoints vessel_points(vessel, layer);
     const std::vector<Vec3>& points = vessel_points.points;
-    std::vector<char> is_solid(points.size(), 0);
+    std::vector<double> density(points.size(), 0.0);  // 0: no particle there
     for (std::uint32_t i = 0; i < particles.size(); ++i) {
-        const ParticleTemplate& shape = scene.shapes[scene.kinds[particles.kind[i]].shape];
+        const BodyKind& kind = scene.kinds[particles.kind[i]];
+        const ParticleTemplate& shape = scene.shapes[kind.shape];
         const Vec3& center = particles.position[i];
         const Quat to_body = particles.orientation[i].conjugate();
         const double middle = center.dot(vessel.up) - vessel.floor - layer.bottom;
@@ -80,23 +81,27 @@ SolidFraction solid_fraction(const Particles& particles, const Scene& scene, con
             std::min(number(middle + shape.bounding_radius) + 1, points.size());
         for (std::size_t n = number(middle - shape.bounding_radius); n < last; ++n) {
             const Vec3 off = points[n] - center;
-            if (is_solid[n] == 0 && off.squaredNorm() <= square(shape.bounding_radius))
-                is_solid[n] = is_inside(shape, to_body * off) ? 1 : 0;
+            if (density[n] > 0.0 || off.squaredNorm() > square(shape.bounding_radius)) continue;
+            if (is_inside(shape, to_body * off))
+                density[n] = kind.mass / shape.mass_properties.volume;
         }
     }
     const double diameter = mean_diameter(particles, scene);
+    double mass = 0.0;  // times points per volume
     std::size_t near_wall = 0;
     std::size_t solid_near_wall = 0;
     std::size_t solid_core = 0;
     for (std::size_t n = 0; n < points.size(); ++n) {
         const bool is_near = vessel_points.from_the_wall[n] < diameter;
         near_wall += is_near ? 1U : 0U;
-        (is_near ? solid_near_wall : solid_core) += is_solid[n] != 0 ? 1U : 0U;
+        (is_near ? solid_near_wall : solid_core) += density[n] > 0.0 ? 1U : 0U;
+        mass += density[n];
     }
     const auto share = [](std::size_t part, std::size_t whole) {
         return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
     };
     result.overall = share(solid_near_wall + solid_core, points.size());
+    result.bulk_density = mass / static_cast<double>(points.size());
     result.near_wall = share(solid_near_wall, near_wall);
     result.core = share(solid_core, points.size() - near_wall);
     return result;

@@ -9,8 +9,9 @@ namespace dem {
 /// The part of a layer of a vessel that particles fill.
 struct SolidFraction {
     double overall = 0.0;
-    double near_wall = 0.0;  ///< within a mean particle diameter of the side walls
-    double core = 0.0;       ///< farther from them; 0 where the vessel is too narrow
+    double near_wall = 0.0;     ///< within a mean particle diameter of the side walls
+    double core = 0.0;          ///< farther from them; 0 where the vessel is too narrow
+    double bulk_density = 0.0;  ///< mass of the layer over its volume [kg/m^3]
 };
 
 /// Heights above a vessel's floor [m].

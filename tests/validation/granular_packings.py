@@ -44,7 +44,7 @@ def grains(name, way, part, count):
 
 
 class Packing:
-    """A bed at rest: solid fractions up to its highest point and of the layer that leaves out a quarter of the height of its mean surface at the
+    """A bed at rest: solid fractions up to its mean surface and of the layer that leaves out a quarter of the height of its mean surface at the
     bottom and at the top, by one step of a run that begins with its end."""
 
     def __init__(self, name, way, reuse):
@@ -80,12 +80,12 @@ Grains as [GC] Section 8 makes them (`shapegen generate`), no two alike, with it
 friction 0.1; the density, which the paper does not give, 2500 kg/m^3. Vessels of 25 mm (sand) and 10 mm radius (woodchips). They are filled in two ways:
 as in the paper, batches of 60 grains (20 woodchips) that are frozen once they lie still, so that the next one falls onto a bed that does not
 move; and as in nature, with every grain free to move until all lie still. Solid fractions are shares of 40 000 points that lie in a grain by its exact
-shape (`kind = solid_fraction`): of the middle half of the bed's height, and from the floor up to the highest point.""")
+shape (`kind = solid_fraction`): of the middle half of the bed's height, and from the floor up to the mean surface.""")
     rows = []
     for (name, way), bed in beds.items():
         rows.append([name.replace("_", ", "), way, bed.count, PACKINGS[name][2], f"{bed.bulk:.3f}", f"{bed.near_wall:.3f}", f"{bed.core:.3f}", f"{bed.whole:.3f}",
                      f"{bed.surface:.1f}", f"{bed.highest:.1f}", bed.core_overlaps, f"{bed.at_rest} of {len(bed.runs)}"])
-    page.table(["grains", "bed", "number", "[GC]", "middle half of the height", "the same near the wall", "the same in the core", "up to the highest point",
+    page.table(["grains", "bed", "number", "[GC]", "middle half of the height", "the same near the wall", "the same in the core", "up to the mean surface",
                 "mean surface [mm]", "highest point [mm]", "contacts with overlapping cores", "runs that came to rest"], rows)
     for (name, way), bed in beds.items():
         label = f"{name.replace('_', ', ')}, {way}"
@@ -107,7 +107,7 @@ and {beds["woodchips", "frozen"].core - beds["woodchips", "frozen"].near_wall:.2
         for way, color, shift in (("frozen", "C0", -0.1), ("free", "C1", 0.0)):
             bed = beds[name, way]
             axes.plot([k + shift], [bed.bulk], "o", color=color, label=None if k else f"{way}, middle half of the height")
-            axes.plot([k + shift], [bed.whole], "s", color=color, mfc="none", label=None if k else f"{way}, up to the highest point")
+            axes.plot([k + shift], [bed.whole], "s", color=color, mfc="none", label=None if k else f"{way}, up to the mean surface")
         axes.plot([k + 0.1], [paper], "k_", ms=20, label=None if k else "[GC] Table 8")
     axes.set(xticks=range(len(PACKINGS)), xticklabels=[n.replace("_", ", ") for n in PACKINGS], ylabel="solid fraction")
     axes.legend()

@@ -7,6 +7,7 @@
 #include "runtime/measure/contact_count.hpp"
 #include "runtime/measure/energy.hpp"
 #include "runtime/measure/fill_height.hpp"
+#include "runtime/measure/measures.hpp"
 #include "runtime/measure/solid_fraction.hpp"
 #include "runtime/time_step.hpp"
 #include "tests/runtime/simulation/scenes.hpp"
@@ -223,6 +224,7 @@ TEST(SolidFraction, IsThatOfTheWallsNeighborhoodAndOfTheCore) {
                                                {0.0, 2.0 * radius});
         const double overall = 4.0 / 3.0 * pi / (2.0 * area);
         EXPECT_NEAR(f.overall, overall, 1e-3);
+        EXPECT_NEAR(f.bulk_density, 2500.0 * f.overall, 1e-9 * f.bulk_density);
         const double core_area = core > 0.0 ? pi : 2.0;
         EXPECT_NEAR(f.near_wall * (area - core_area) + f.core * core_area, overall * area, 0.01);
         if (core > 0.0) {
@@ -234,6 +236,24 @@ TEST(SolidFraction, IsThatOfTheWallsNeighborhoodAndOfTheCore) {
                                                    *vessel, {0.999 * radius, 1.001 * radius});
         EXPECT_NEAR(slice.overall, pi / area, 1e-3);
     }
+}
+
+TEST(SolidFraction, DoesNotCountTheAirUpToTheHighestBody) {
+    std::vector<BodyPlacement> bodies;  // a full layer and one sphere high above it
+    for (int k = 0; k < 9; ++k) {
+        bodies.push_back(at(2.001 * radius * (k % 3 - 1), 2.001 * radius * (k / 3 - 1), radius));
+    }
+    bodies.push_back(at(0.0, 0.0, 20.0 * radius));
+    Scene scene = spheres_over_a_floor(bodies);
+    scenes::add_box(scene, {-3.1 * radius, -3.1 * radius, 0.0}, {3.1 * radius, 3.1 * radius, 1.0});
+    scene.measures = {{"bed", MeasureSettings::Kind::solid_fraction, 0.01}};
+    Simulation simulation(scene, 1e-6);
+    const double surface = fill_height(simulation.particles(), simulation.scene()).surface;
+    const SolidFraction expected = solid_fraction(simulation.particles(), simulation.scene(),
+                                                  *find_vessel(simulation.scene()), {0.0, surface});
+    EXPECT_EQ(measure_values(simulation).front(), expected.overall);
+    EXPECT_GT(expected.overall, 0.3) << "0.06 up to the highest point";
+    EXPECT_EQ(measure_columns(simulation.scene()).back(), "bed_bulk_density");
 }
 
 TEST(TimeStep, IsAFractionOfTheRayleighTimeForSlowSpheres) {
