@@ -69,7 +69,7 @@ using Region = std::variant<BoxRegion, CylinderRegion>;
 
 /// One [particles.NAME] section.
 struct InsertionGroup {
-    enum class Mode : std::uint8_t { at_once, batches, lattice, file };
+    enum class Mode : std::uint8_t { at_once, batches, lattice, file, fill };
     std::string name;
     std::string where;  ///< "case.ini:31", for messages
     Mode mode = Mode::at_once;
@@ -79,6 +79,7 @@ struct InsertionGroup {
     Region region = BoxRegion{};
     std::uint64_t batch = 1;          ///< batches: how many at a time
     double every = 0.0;               ///< batches: seconds between batches
+    double jitter = 0.0;              ///< lattice: largest random shift, in cells
     double start = 0.0;               ///< time of the first insertion [s]
     std::optional<Quat> orientation;  ///< none: random
     Vec3 velocity = Vec3::Zero();
@@ -142,5 +143,10 @@ struct Scene {
     /// Template files as the case names them, hash of what each was made from.
     std::vector<std::pair<std::string, std::uint64_t>> inputs;
 };
+
+/// Unit vector against gravity; z without gravity.
+inline Vec3 up_direction(const Scene& scene) {
+    return scene.run.gravity.isZero() ? Vec3::UnitZ() : Vec3(-scene.run.gravity.normalized());
+}
 
 }  // namespace dem

@@ -11,6 +11,8 @@ namespace dem {
 
 namespace {
 
+constexpr double most_batches = 1e15;  // beyond, doubles no longer count one by one
+
 /// A fixed body with a velocity would be a contradiction, not a moving wall.
 void check_standing(const Values& values, const InsertionGroup& group) {
     const auto stands = [](const Vec3& velocity, const Vec3& spin) {
@@ -146,9 +148,14 @@ void ParticleGroupReader::read(const Values& values, Scene& scene) {
     }
     if (group.mode == InsertionGroup::Mode::file) place_rows(rows, group);
     if (is_fixed) check_standing(values, group);
+    if (group.mode == InsertionGroup::Mode::lattice) group.jitter = values.number("jitter");
     if (group.mode == InsertionGroup::Mode::batches) {
         group.batch = values.count("batch");
         group.every = values.number("every");
+        if (scene.run.end_time > most_batches * group.every) {
+            throw Error(values.where("every"),
+                        "makes more than 1e15 batches until end_time, expected a longer interval");
+        }
     }
     scene.insertions.push_back(std::move(group));
 }

@@ -82,8 +82,13 @@ void describe(const Scene& scene, const InsertionGroup& group, std::ostringstrea
         case InsertionGroup::Mode::lattice:
             out << "on a lattice";
             break;
+        case InsertionGroup::Mode::fill:
+            out << "packed from the bottom";
+            break;
         case InsertionGroup::Mode::file:
             out << "from " << group.file;
+            if (group.allow_overlaps)
+                out << " (contacts begin anew: without their friction springs)";
             break;
         case InsertionGroup::Mode::batches:
             out << group.batch << " every " << group.every << " s";

@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 #include "runtime/case/region.hpp"
 #include "runtime/insertion/body_draw.hpp"
+#include "runtime/insertion/fill.hpp"
 #include "runtime/insertion/lattice.hpp"
 #include "runtime/insertion/occupancy.hpp"
 #include "runtime/insertion/region_frame.hpp"
@@ -64,7 +65,7 @@ Placements all_at_once(const Scene& scene, std::uint32_t group_index, Occupancy&
                                  std::to_string(placed.size()) + " of " +
                                  std::to_string(group.count) +
                                  " bodies placed at random, expected a larger region, or insert = "
-                                 "batches or lattice");
+                                 "fill, batches or lattice");
 }
 
 /// Throws Error when even the empty region found no place: the batches would wait for ever.
@@ -157,6 +158,9 @@ void Inserter::insert_group(const Scene& scene, std::uint32_t g, Particles& part
             break;
         case Mode::lattice:
             placed = lattice_placements(scene, g, occupancy);
+            break;
+        case Mode::fill:
+            placed = fill_placements(scene, g, occupancy);
             break;
         case Mode::file:
             placed = file_rows(scene, g, particles, occupancy);

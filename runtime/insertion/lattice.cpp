@@ -34,7 +34,8 @@ RegionFrame::Reach largest_reach(const Scene& scene, const InsertionGroup& group
     message << "the region of [particles." << group.name << "] holds " << placed << " of "
             << group.count << " bodies on a lattice of " << cells.x() << " x " << cells.y() << " x "
             << cells.z() << " cells of " << cell.x() * 1e3 << " x " << cell.y() * 1e3 << " x "
-            << cell.z() * 1e3 << " mm, expected a larger region or a smaller count";
+            << cell.z() * 1e3 << " mm, expected a larger region"
+            << (group.jitter > 0.0 ? ", jitter = 0" : "") << " or a smaller count";
     throw Error(group.where, message.str());
 }
 
@@ -48,6 +49,9 @@ std::vector<BodyPlacement> lattice_placements(const Scene& scene, std::uint32_t 
     const Vec3 cell = spacing_factor * (reach.below + reach.above);
     // A region of exactly n diameters holds n: the spacing's excess is not the user's.
     const Vec3 cells = (frame.size().cwiseQuotient(cell).array() + 1e-5).floor();
+    // The cells move apart to make room for the shifts, as far as the region lets them.
+    const Vec3 pitch = cell.cwiseMax(
+        Vec3((1.0 + group.jitter) * cell).cwiseMin(frame.size().cwiseQuotient(cells)));
     std::vector<BodyPlacement> placed;
     for (double k = 0.0; k < cells.z(); ++k) {
         for (double j = 0.0; j < cells.y(); ++j) {
@@ -55,10 +59,19 @@ std::vector<BodyPlacement> lattice_placements(const Scene& scene, std::uint32_t 
                 if (placed.size() == group.count) return placed;
                 BodyDraw draw(scene, group_index, placed.size());
                 BodyPlacement body = draw.body();
-                body.position = frame.at(Vec3(i, j, k).cwiseProduct(cell) + reach.below);
+                const Vec3 corner = Vec3(i, j, k).cwiseProduct(pitch) + reach.below;
+                Random& random = draw.random();
+                const Vec3 shift{random.uniform(), random.uniform(), random.uniform()};
                 const ParticleTemplate& shape = scene.shapes[scene.kinds[body.kind].shape];
-                if (!frame.is_within_side(shape, body) || !occupancy.is_free(body)) continue;
-                placed.push_back(body);
+                const auto fits_at = [&](const Vec3& place) {
+                    body.position = frame.at(place);
+                    return frame.is_within_side(shape, body) && occupancy.is_free(body);
+                };
+                // A shift may lead out of a round side; the middle of the room comes next.
+                if (fits_at(corner + shift.cwiseProduct(pitch - cell)) ||
+                    fits_at(corner + 0.5 * (pitch - cell))) {
+                    placed.push_back(body);
+                }
             }
         }
     }

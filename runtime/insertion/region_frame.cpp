@@ -30,6 +30,13 @@ RegionFrame::Reach RegionFrame::reach(const ParticleTemplate& shape,
     return r;
 }
 
+bool RegionFrame::contains(const ParticleTemplate& shape, const BodyPlacement& body) const {
+    const Reach r = reach(shape, body.orientation);
+    const Vec3 local = axes_.transpose() * Vec3(body.position - corner_);
+    return (local.array() >= r.below.array()).all() &&
+           (local.array() <= (size_ - r.above).array()).all() && is_within_side(shape, body);
+}
+
 bool RegionFrame::is_within_side(const ParticleTemplate& shape, const BodyPlacement& body) const {
     if (radius_ == 0.0) return true;
     const Vec3 local = axes_.transpose() * Vec3(body.position - corner_);

@@ -25,6 +25,9 @@ class RegionFrame {
     };
     Reach reach(const ParticleTemplate& shape, const Quat& orientation) const;
 
+    /// Whether a body lies wholly inside.
+    bool contains(const ParticleTemplate& shape, const BodyPlacement& body) const;
+
     /// Whether a body is within the round side (true for a box).
     bool is_within_side(const ParticleTemplate& shape, const BodyPlacement& body) const;
 

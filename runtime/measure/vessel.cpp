@@ -80,10 +80,6 @@ std::optional<Vessel> upright_box(const Scene& scene, const Vec3& up) {
 
 }  // namespace
 
-Vec3 up_direction(const Scene& scene) {
-    return scene.run.gravity.isZero() ? Vec3::UnitZ() : Vec3(-scene.run.gravity.normalized());
-}
-
 std::optional<Vessel> find_vessel(const Scene& scene) {
     const Vec3 up = up_direction(scene);
     if (auto vessel = upright_cylinder(scene, up)) return vessel;

@@ -22,9 +22,6 @@ struct Vessel {
     double width = 0.0;          ///< of a box along `side` [m]
 };
 
-/// Unit vector against gravity; z without gravity.
-Vec3 up_direction(const Scene& scene);
-
 /// None when the walls are not such a container. The floor is the highest plane that looks up;
 /// without one it is the end of the cylinder. With several upright cylinders the first one counts.
 std::optional<Vessel> find_vessel(const Scene& scene);

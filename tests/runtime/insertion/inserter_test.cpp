@@ -3,6 +3,10 @@
 
 #include "common/random.hpp"
 #include "runtime/contact/touch.hpp"
+#include "runtime/insertion/occupancy.hpp"
+#include "runtime/measure/fill_height.hpp"
+#include "runtime/measure/solid_fraction.hpp"
+#include "runtime/measure/vessel.hpp"
 #include "tests/formats/temporary_folder.hpp"
 #include "tests/runtime/case/case_text.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
@@ -134,6 +138,59 @@ TEST(InsertLattice, CellsBeyondARoundSideOrInABodyAreLeftOut) {
     for (const Vec3& p : particles.position) EXPECT_LE(p.head<2>().norm(), 23e-3 + 1e-9);
 }
 
+TEST(InsertLattice, JitterBreaksExactColumns) {
+    const auto lattice = [](const char* jitter) {
+        return scene_of(sphere_case(), "particles.balls.insert=lattice",
+                        "particles.balls.region=box -16 -16 10 16 16 63 mm",
+                        "particles.balls.count=45",
+                        std::string("particles.balls.jitter=") + jitter);
+    };
+    const Particles exact = inserted(lattice("0"));
+    EXPECT_EQ(exact.position[0].x(), exact.position[9].x());
+    const Scene scene = lattice("0.05");
+    const Particles shifted = inserted(scene);
+    EXPECT_GE(smallest_gap(scene, shifted), 0.0);
+    for (std::uint32_t k = 9; k < 45; ++k) {
+        const Vec3 off = shifted.position[k] - shifted.position[k - 9];
+        EXPECT_GT(off.head<2>().norm(), 1e-6) << k;
+        EXPECT_LT(off.head<2>().cwiseAbs().maxCoeff(), 0.5e-3) << k;
+    }
+    EXPECT_EQ(shifted.position, inserted(lattice("0.05")).position);
+}
+
+TEST(InsertFill, FiveHundredSpheresFillATubeToAHalfWithoutAnOverlap) {
+    const Scene scene =
+        scene_of(sphere_case(), "particles.balls.insert=fill", "particles.balls.count=500",
+                 "particles.balls.region=cylinder 0 0 0 mm  0 0 400 mm  25 mm");
+    const Particles particles = inserted(scene);
+    ASSERT_EQ(particles.size(), 500U);
+    EXPECT_GE(smallest_gap(scene, particles), 0.0);
+    for (const Vec3& p : particles.position) {
+        EXPECT_LE(p.head<2>().norm(), 20e-3);
+        EXPECT_GE(p.z(), 5e-3);
+    }
+    const double surface = fill_height(particles, scene).surface;
+    const auto vessel = find_vessel(scene);
+    ASSERT_TRUE(vessel);
+    EXPECT_GT(solid_fraction(particles, scene, *vessel, {0.0, surface}).overall, 0.5);
+    EXPECT_EQ(inserted(scene).position, particles.position);
+}
+
+TEST(InsertFill, ARegionThatIsTooSmallSaysHowManyItHeldMoreThanChanceDoes) {
+    const auto held = [](const std::string& insert) {
+        const std::string text = insertion_message(
+            scene_of(sphere_case(), "particles.balls.insert=" + insert, "particles.balls.count=100",
+                     "particles.balls.region=box -15 -15 10 15 15 40 mm"));
+        int number = 0;
+        std::sscanf(text.c_str(),
+                    "c.ini:15: the region of [particles.balls] holds %d of 100 bodies p", &number);
+        return number;
+    };
+    EXPECT_GT(held("at_once"), 0);
+    EXPECT_GT(held("fill"), held("at_once"));
+    EXPECT_LE(held("fill"), 27) << "three by three by three";
+}
+
 // A moment's work if the search is local, hours if it is not.
 TEST(InsertLattice, AHundredThousandSpheresAreNoTrouble) {
     const Scene scene = scene_of(sphere_case(), "particles.balls.insert=lattice",
@@ -190,6 +247,22 @@ TEST(InsertTablets, ALatticeOfGivenOrientationIsAsCloseAsTheShapeAllows) {
     EXPECT_NE(insertion_message(lattice("1 0 0 0", "113")), "fine");
     EXPECT_NE(insertion_message(lattice("random", "112")), "fine");
     EXPECT_EQ(inserted(lattice("random", "27")).size(), 27U);
+}
+
+TEST(InsertFill, TurnedBodiesOfAnyShapeDoNotOverlap) {
+    const Scene scene = tablet_scene("particles.balls.insert=fill", "particles.balls.count=12");
+    const Particles particles = inserted(scene);
+    ASSERT_EQ(particles.size(), 12U);
+    Particles others;
+    for (std::uint32_t i = 0; i < particles.size(); ++i) {
+        const Occupancy occupancy(scene, others, {Vec3::Constant(-1.0), Vec3::Constant(1.0)}, 0.0);
+        BodyPlacement body;
+        body.position = particles.position[i];
+        body.orientation = particles.orientation[i];
+        body.kind = particles.kind[i];
+        EXPECT_TRUE(occupancy.is_free(body)) << i;
+        others.append(body.kind, 0, body, scene.kinds[body.kind]);
+    }
 }
 
 class InsertBatches : public testing::Test {
