@@ -62,10 +62,13 @@ void HistoryWriter::open(std::ios::openmode mode) {
     if (!out_) fail();
 }
 
-void HistoryWriter::append(std::span<const double> values) {
+void HistoryWriter::append(std::span<const std::optional<double>> values) {
     DEM_ASSERT(values.size() == columns_);
     std::string line;
-    for (const double value : values) line += (line.empty() ? "" : ",") + number_text(value);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (k > 0) line += ',';
+        if (values[k]) line += number_text(*values[k]);
+    }
     write(line);
     ++rows_;
 }

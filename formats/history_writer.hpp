@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -21,9 +22,9 @@ class HistoryWriter {
     HistoryWriter(const std::filesystem::path& path, std::span<const std::string> columns,
                   std::uint64_t rows);
 
-    /// One value per column; every number reads back as the same double. Throws Error, e.g. on a
-    /// full disk.
-    void append(std::span<const double> values);
+    /// One value per column, nothing where a field stays empty; every number reads back as the same
+    /// double. Throws Error, e.g. on a full disk.
+    void append(std::span<const std::optional<double>> values);
 
     std::uint64_t rows() const { return rows_; }
 

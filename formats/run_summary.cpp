@@ -38,6 +38,8 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
                        {"missing", missing},
                        {"core_overlaps", summary.core_overlaps},
                        {"wall_time", summary.wall_time},
+                       {"measure_time", summary.measure_time},
+                       {"output_time", summary.output_time},
                        {"microseconds_per_particle_step", summary.microseconds_per_particle_step},
                        {"threads", summary.threads},
                        {"seed", summary.seed},

@@ -20,7 +20,9 @@ struct RunSummary {
     std::vector<std::pair<std::string, std::uint64_t>> missing;  ///< bodies never placed, by group
     std::uint64_t core_overlaps = 0;  ///< contacts in which cores of convex bodies overlapped
     double wall_time = 0.0;           ///< [s]
-    double microseconds_per_particle_step = 0.0;  ///< wall time over all particle steps
+    double measure_time = 0.0;        ///< of the wall time for measures [s]
+    double output_time = 0.0;         ///< of the wall time for files [s]
+    double microseconds_per_particle_step = 0.0;  ///< the rest over all particle steps
     int threads = 1;
     std::uint64_t seed = 0;
     std::uint64_t state_hash = 0;  ///< of the final state, written as 16 hex digits

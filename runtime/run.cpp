@@ -2,6 +2,7 @@
 #include "runtime/run.hpp"
 
 #include "common/error.hpp"
+#include "common/stopwatch.hpp"
 #include "runtime/checkpoint/run_checkpoint.hpp"
 #include "runtime/measure/at_rest.hpp"
 #include "runtime/output/folder_lock.hpp"
@@ -12,6 +13,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -52,6 +54,7 @@ struct RunParts {
     Simulation& simulation;
     AtRest& at_rest;
     Outputs& outputs;
+    double& checkpoint_time;  ///< spent on checkpoints so far [s]
 };
 
 void require_checkpoint(const Scene& scene) {
@@ -64,39 +67,49 @@ Outputs begun_outputs(bool resume, Simulation& simulation, AtRest& at_rest) {
     const Scene& scene = simulation.scene();
     if (!resume) return Outputs(scene);
     const OutputProgress progress = load_checkpoint(checkpoint_path(scene), simulation, at_rest);
-    return {scene, progress, simulation.time()};
+    return {scene, progress};
 }
 
 void make_checkpoint(const RunParts& run) {
+    const Stopwatch watch(run.checkpoint_time);
     run.outputs.sync();
     save_checkpoint(checkpoint_path(run.simulation.scene()), run.simulation, run.at_rest,
                     run.outputs.progress());
 }
 
-/// Steps until something ends the run; returns the sum of particles over the steps.
+/// Why the run ends with the present state, if it does.
+std::optional<RunResult::End> end_of_run(const RunParts& run, const RunOptions& options,
+                                         std::uint64_t last_step) {
+    using End = RunResult::End;
+    if (run.at_rest.was_reached() && run.simulation.scene().run.stop_at_rest) return End::at_rest;
+    if (is_interrupted(options)) return End::interrupted;
+    if (run.simulation.steps() >= last_step) return End::end_time;
+    return std::nullopt;
+}
+
+/// Steps until something ends the run; returns the sum of particles over the steps. The last state
+/// is left to Outputs::finish.
 std::uint64_t run_steps(const RunParts& run, const RunOptions& options, std::uint64_t last_step,
                         RunResult::End& end) {
-    using End = RunResult::End;
     Simulation& simulation = run.simulation;
     const bool stop_at_rest = simulation.scene().run.stop_at_rest;
     const std::chrono::duration<double> checkpoint_every(
         simulation.scene().output.checkpoint_every);
     auto last_checkpoint = Clock::now();
     std::uint64_t particle_steps = 0;
-    // A resumed run may have been at rest already.
-    end = stop_at_rest && run.at_rest.was_reached() ? End::at_rest : End::end_time;
-    while (end == End::end_time && simulation.steps() < last_step) {
-        simulation.step();
-        run.outputs.sample(simulation);
-        report(options, simulation);
-        particle_steps += simulation.particles().size();
-        if (stop_at_rest && run.at_rest.reached(simulation)) end = End::at_rest;
-        if (is_interrupted(options)) end = End::interrupted;
-        if (end == End::end_time && Clock::now() - last_checkpoint >= checkpoint_every) {
+    std::optional<RunResult::End> reason;
+    while (!(reason = end_of_run(run, options, last_step))) {
+        if (Clock::now() - last_checkpoint >= checkpoint_every) {
             make_checkpoint(run);
             last_checkpoint = Clock::now();
         }
+        run.outputs.sample(simulation);
+        simulation.step();
+        if (stop_at_rest) run.at_rest.look(simulation);
+        particle_steps += simulation.particles().size();
+        report(options, simulation);
     }
+    end = *reason;
     return particle_steps;
 }
 
@@ -119,23 +132,27 @@ RunResult run(Scene scene, const RunOptions& options) {
     Simulation simulation(std::move(scene), dt);
     AtRest at_rest(simulation.scene());
     Outputs outputs = begun_outputs(options.resume, simulation, at_rest);
-    if (!options.resume) outputs.sample(simulation);
     if (options.progress != nullptr) options.progress->begin_at(simulation.time());
 
     RunResult result;
-    const auto start = Clock::now();
-    const std::uint64_t particle_steps =
-        run_steps({simulation, at_rest, outputs}, options, last_step, result.end);
-    const std::chrono::duration<double> elapsed = Clock::now() - start;
-    make_checkpoint({simulation, at_rest, outputs});
+    std::uint64_t particle_steps = 0;
+    double checkpoint_time = 0.0;
+    const RunParts parts{simulation, at_rest, outputs, checkpoint_time};
+    {
+        const Stopwatch watch(result.wall_time);
+        particle_steps = run_steps(parts, options, last_step, result.end);
+    }
+    result.measure_time = outputs.measure_time();
+    result.output_time = outputs.output_time() + checkpoint_time;
+    make_checkpoint(parts);
     result.steps = simulation.steps();
     result.particles = simulation.particles().size();
     result.time = simulation.time();
     result.time_step = dt;
-    result.wall_time = elapsed.count();
     if (particle_steps > 0) {
+        const double step_time = result.wall_time - result.measure_time - result.output_time;
         result.microseconds_per_particle_step =
-            1e6 * elapsed.count() / static_cast<double>(particle_steps);
+            1e6 * step_time / static_cast<double>(particle_steps);
     }
     result.core_overlaps = simulation.core_overlaps();
     result.state_hash = simulation.state_hash();

@@ -35,7 +35,9 @@ struct RunResult {
     double time = 0.0;                            ///< simulated [s]
     double time_step = 0.0;                       ///< [s]
     double wall_time = 0.0;                       ///< of the time loop [s]
-    double microseconds_per_particle_step = 0.0;  ///< wall time over all particle steps
+    double measure_time = 0.0;                    ///< of that for measures [s]
+    double output_time = 0.0;                     ///< of that for frames, rows, checkpoints [s]
+    double microseconds_per_particle_step = 0.0;  ///< the rest over all particle steps
     std::uint64_t core_overlaps = 0;              ///< simulation.hpp, Simulation::core_overlaps
     std::uint64_t state_hash = 0;                 ///< simulation.hpp, Simulation::state_hash
     std::vector<MissingBodies> missing;           ///< in the order of the case

@@ -108,9 +108,10 @@ struct RunSettings {
 
 struct OutputSettings {
     std::string directory;
-    double frames_every = 0.0;        ///< [s]; 0: none but the first and the last
-    double history_every = 0.0;       ///< [s]
-    double checkpoint_every = 600.0;  ///< wall time between checkpoints [s]
+    /// [s]; 0: none but the first and the last; none given: a hundredth of the end time.
+    std::optional<double> frames_every = 0.0;
+    std::optional<double> history_every = 0.0;  ///< [s]; none given: a thousandth of the end time
+    double checkpoint_every = 600.0;            ///< wall time between checkpoints [s]
     bool surfaces = false;
     bool picture = true;
 };
@@ -119,7 +120,7 @@ struct MeasureSettings {
     enum class Kind : std::uint8_t { fill_height, contacts, solid_fraction };
     std::string name;
     Kind kind = Kind::fill_height;
-    double every = 0.0;  ///< [s]
+    std::optional<double> every = 0.0;  ///< [s]; none given: that of the history
     /// Of a solid fraction: the layer between these heights above the vessel's floor [m]; without a
     /// top up to the mean surface.
     double bottom = 0.0;

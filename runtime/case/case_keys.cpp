@@ -377,13 +377,15 @@ constexpr Key output_keys[] = {
      .range = positive,
      .standard = "auto",
      .words = "auto",
-     .doc = "between frames in `frames.h5`; `auto`: end_time / 100"},
+     .doc = "between frames in `frames.h5`; `auto`: end_time / 100, and what it was for a resumed "
+            "run"},
     {.name = "history_every",
      .dimension = time,
      .range = positive,
      .standard = "auto",
      .words = "auto",
-     .doc = "between rows of `history.csv`; `auto`: end_time / 1000"},
+     .doc = "between rows of `history.csv`; `auto`: end_time / 1000, and what it was for a resumed "
+            "run"},
     {.name = "surfaces",
      .type = yes_no,
      .standard = "no",
@@ -412,7 +414,9 @@ constexpr Key measure_keys[] = {
      .range = positive,
      .standard = "auto",
      .words = "auto",
-     .doc = "between samples; `auto`: history_every"},
+     .doc =
+         "between values; `auto`: history_every. In rows of `history.csv` between them the field "
+         "is empty"},
     {.name = "bottom",
      .dimension = length,
      .range = not_negative,

@@ -99,7 +99,7 @@ Scene read_scene(const CaseFile& file) {
     scene.output = read_output(Values(nothing, *section_kind("output")), scene.run);
     for_each(file, "output", [&](const Values& v) { scene.output = read_output(v, scene.run); });
     for_each(file, "measure.NAME",
-             [&](const Values& v) { scene.measures.push_back(read_measure(v, scene.output)); });
+             [&](const Values& v) { scene.measures.push_back(read_measure(v)); });
     for (const InsertionGroup& group : scene.insertions) {
         check_digits(scene, group);
         if (group.mode != InsertionGroup::Mode::file)

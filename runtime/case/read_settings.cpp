@@ -55,8 +55,8 @@ constexpr double most_samples = 1e7;
 
 OutputSettings read_output(const Values& values, const RunSettings& run) {
     OutputSettings output;
-    output.frames_every = values.optional_number("frames_every").value_or(run.end_time / 100.0);
-    output.history_every = values.optional_number("history_every").value_or(run.end_time / 1000.0);
+    output.frames_every = values.optional_number("frames_every");
+    output.history_every = values.optional_number("history_every");
     for (const char* key : {"frames_every", "history_every"}) {
         const double count = run.end_time / values.optional_number(key).value_or(run.end_time);
         if (count <= most_samples) continue;
@@ -70,11 +70,11 @@ OutputSettings read_output(const Values& values, const RunSettings& run) {
     return output;
 }
 
-MeasureSettings read_measure(const Values& values, const OutputSettings& output) {
+MeasureSettings read_measure(const Values& values) {
     MeasureSettings measure;
     measure.name = own_name(values.section_name());
     measure.kind = values.choice<MeasureSettings::Kind>("kind");
-    measure.every = values.optional_number("every").value_or(output.history_every);
+    measure.every = values.optional_number("every");
     if (measure.kind == MeasureSettings::Kind::solid_fraction) {
         measure.bottom = values.number("bottom");
         measure.top = values.optional_number("top");

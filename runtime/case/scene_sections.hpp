@@ -45,7 +45,7 @@ void read_wall(const Values& values, Scene& scene);
 void read_laws(const CaseFile& file, Scene& scene);
 
 OutputSettings read_output(const Values& values, const RunSettings& run);
-MeasureSettings read_measure(const Values& values, const OutputSettings& output);
+MeasureSettings read_measure(const Values& values);
 
 /// Index of a material by name. Throws Error at `where` with a suggestion.
 std::uint32_t material_index(const Scene& scene, const std::string& name, const std::string& where);

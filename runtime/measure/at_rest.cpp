@@ -43,8 +43,8 @@ bool AtRest::is_slow(const Simulation& simulation) {
     return true;
 }
 
-bool AtRest::reached(const Simulation& simulation) {
-    if (simulation.time() < next_look_) return false;
+void AtRest::look(const Simulation& simulation) {
+    if (simulation.time() < next_look_) return;
     const double hold = gravity_ > 0.0          ? std::sqrt(largest_diameter_ / gravity_)
                         : largest_speed2_ > 0.0 ? largest_diameter_ / std::sqrt(largest_speed2_)
                                                 : 0.0;
@@ -52,11 +52,10 @@ bool AtRest::reached(const Simulation& simulation) {
     const bool is_complete = std::isinf(simulation.inserter().next_time());
     if (!is_complete || !is_slow(simulation)) {
         slow_since_ = infinite;
-        return false;
+        return;
     }
     slow_since_ = std::min(slow_since_, simulation.time());
     was_reached_ = simulation.time() >= slow_since_ + hold;
-    return was_reached_;
 }
 
 }  // namespace dem

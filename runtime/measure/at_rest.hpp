@@ -15,9 +15,8 @@ class AtRest {
     explicit AtRest(const Scene& scene);
 
     /// Call after each step.
-    bool reached(const Simulation& simulation);
+    void look(const Simulation& simulation);
 
-    /// What `reached` said last.
     bool was_reached() const { return was_reached_; }
 
     /// What has been seen so far, for checkpoints.

@@ -7,6 +7,8 @@
 #include "runtime/measure/solid_fraction.hpp"
 #include "runtime/measure/vessel.hpp"
 
+#include <initializer_list>
+
 namespace dem {
 
 namespace {
@@ -22,55 +24,57 @@ double mean_coordination(const Simulation& simulation) {
 
 }  // namespace
 
+std::vector<std::string> measure_columns(const MeasureSettings& measure) {
+    std::vector<std::string> columns;
+    const auto add = [&](std::initializer_list<const char*> endings) {
+        for (const char* ending : endings) columns.push_back(measure.name + ending);
+    };
+    switch (measure.kind) {
+        case Kind::contacts:
+            add({"_coordination"});
+            break;
+        case Kind::fill_height:
+            add({"_highest", "_top_ten", "_surface"});
+            break;
+        case Kind::solid_fraction:
+            add({"_solid_fraction", "_near_wall", "_core", "_bulk_density"});
+            break;
+    }
+    return columns;
+}
+
 std::vector<std::string> measure_columns(const Scene& scene) {
     std::vector<std::string> columns;
     for (const MeasureSettings& measure : scene.measures) {
-        if (measure.kind == Kind::fill_height) {
-            for (const char* way : {"_highest", "_top_ten", "_surface"}) {
-                columns.push_back(measure.name + way);
-            }
-            continue;
-        }
         if (measure.kind == Kind::solid_fraction && !find_vessel(scene)) {
             throw Error(scene.case_path, "[measure." + measure.name +
                                              "]: a solid fraction needs walls that form a vessel: "
                                              "an upright inside cylinder or box with a floor");
         }
-        if (measure.kind == Kind::contacts) {
-            columns.push_back(measure.name + "_coordination");
-            continue;
-        }
-        for (const char* where : {"_solid_fraction", "_near_wall", "_core", "_bulk_density"}) {
-            columns.push_back(measure.name + where);
-        }
+        const auto own = measure_columns(measure);
+        columns.insert(columns.end(), own.begin(), own.end());
     }
     return columns;
 }
 
-std::vector<double> measure_values(const Simulation& simulation) {
-    std::vector<double> values;
-    for (const MeasureSettings& measure : simulation.scene().measures) {
-        switch (measure.kind) {
-            case Kind::contacts:
-                values.push_back(mean_coordination(simulation));
-                break;
-            case Kind::fill_height: {
-                const FillHeight h = fill_height(simulation.particles(), simulation.scene());
-                values.insert(values.end(), {h.highest, h.top_ten, h.surface});
-                break;
-            }
-            case Kind::solid_fraction: {
-                const Scene& scene = simulation.scene();
-                const double top =
-                    measure.top ? *measure.top : fill_height(simulation.particles(), scene).surface;
-                const SolidFraction f = solid_fraction(simulation.particles(), scene,
-                                                       *find_vessel(scene), {measure.bottom, top});
-                values.insert(values.end(), {f.overall, f.near_wall, f.core, f.bulk_density});
-                break;
-            }
+std::vector<double> measure_values(const Simulation& simulation, const MeasureSettings& measure) {
+    const Scene& scene = simulation.scene();
+    switch (measure.kind) {
+        case Kind::contacts:
+            return {mean_coordination(simulation)};
+        case Kind::fill_height: {
+            const FillHeight h = fill_height(simulation.particles(), scene);
+            return {h.highest, h.top_ten, h.surface};
+        }
+        case Kind::solid_fraction: {
+            const double top =
+                measure.top ? *measure.top : fill_height(simulation.particles(), scene).surface;
+            const SolidFraction f = solid_fraction(simulation.particles(), scene,
+                                                   *find_vessel(scene), {measure.bottom, top});
+            return {f.overall, f.near_wall, f.core, f.bulk_density};
         }
     }
-    return values;
+    return {};
 }
 
 }  // namespace dem

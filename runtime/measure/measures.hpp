@@ -15,7 +15,10 @@ namespace dem {
 /// Throws Error for a solid fraction in a scene whose walls form no vessel.
 std::vector<std::string> measure_columns(const Scene& scene);
 
-/// Their values now.
-std::vector<double> measure_values(const Simulation& simulation);
+/// The columns of one measure.
+std::vector<std::string> measure_columns(const MeasureSettings& measure);
+
+/// What they hold now.
+std::vector<double> measure_values(const Simulation& simulation, const MeasureSettings& measure);
 
 }  // namespace dem

@@ -3,6 +3,7 @@
 
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
+#include "common/stopwatch.hpp"
 #include "formats/body_table.hpp"
 #include "formats/run_summary.hpp"
 #include "runtime/measure/contact_count.hpp"
@@ -84,6 +85,27 @@ void write_picture(const std::filesystem::path& path, const Simulation& simulati
     file.commit();
 }
 
+OutputProgress begun(const Scene& scene) {
+    OutputProgress progress;
+    progress.frames_every = scene.output.frames_every.value_or(scene.run.end_time / 100.0);
+    progress.history_every = scene.output.history_every.value_or(scene.run.end_time / 1000.0);
+    return progress;
+}
+
+OutputProgress resumed(const Scene& scene, OutputProgress progress) {
+    progress.frames_every = scene.output.frames_every.value_or(progress.frames_every);
+    progress.history_every = scene.output.history_every.value_or(progress.history_every);
+    return progress;
+}
+
+std::vector<Cadence> measure_cadences(const Scene& scene, const OutputProgress& progress) {
+    std::vector<Cadence> cadences;
+    for (const MeasureSettings& measure : scene.measures) {
+        cadences.emplace_back(measure.every.value_or(progress.history_every));
+    }
+    return cadences;
+}
+
 std::string end_name(RunResult::End end) {
     switch (end) {
         case RunResult::End::end_time:
@@ -106,31 +128,27 @@ Outputs::Outputs(const Scene& scene)
     : directory_(scene.output.directory),
       history_(directory_ / "history.csv", history_columns(scene)),
       frames_(directory_, frame_context(scene), scene.shapes),
-      frame_cadence_(scene.output.frames_every) {
+      progress_(begun(scene)),
+      frame_cadence_(progress_.frames_every),
+      row_cadence_(progress_.history_every),
+      measure_cadences_(measure_cadences(scene, progress_)) {
     remove_end(directory_);
     std::error_code ignored;
     std::filesystem::remove(checkpoint_path(scene), ignored);
-    make_cadences(scene);
 }
 
-Outputs::Outputs(const Scene& scene, const OutputProgress& progress, double time)
+Outputs::Outputs(const Scene& scene, const OutputProgress& progress)
     : directory_(scene.output.directory),
       history_(directory_ / "history.csv", history_columns(scene), progress.rows),
       frames_(directory_, frame_context(scene), scene.shapes, progress.frames),
-      frame_cadence_(scene.output.frames_every),
-      progress_(progress) {
+      progress_(resumed(scene, progress)),
+      frame_cadence_(progress_.frames_every),
+      row_cadence_(progress_.history_every),
+      measure_cadences_(measure_cadences(scene, progress_)) {
     remove_end(directory_);
-    make_cadences(scene);
-    // What was due up to the checkpoint has been written.
-    static_cast<void>(frame_cadence_.is_due(time));
-    for (Cadence& cadence : history_cadences_) static_cast<void>(cadence.is_due(time));
-}
-
-void Outputs::make_cadences(const Scene& scene) {
-    history_cadences_.emplace_back(scene.output.history_every);
-    for (const MeasureSettings& measure : scene.measures) {
-        history_cadences_.emplace_back(measure.every);
-    }
+    static_cast<void>(frame_cadence_.is_due(progress.sampled));
+    static_cast<void>(row_cadence_.is_due(progress.sampled));
+    for (Cadence& cadence : measure_cadences_) static_cast<void>(cadence.is_due(progress.sampled));
 }
 
 void Outputs::sync() const {
@@ -147,13 +165,20 @@ void Outputs::sync() const {
 }
 
 void Outputs::sample(const Simulation& simulation) {
-    if (frame_cadence_.is_due(simulation.time())) write_frame(simulation);
-    bool row_is_due = false;
-    for (Cadence& cadence : history_cadences_) row_is_due |= cadence.is_due(simulation.time());
-    if (row_is_due) write_history(simulation);
+    const double time = simulation.time();
+    if (frame_cadence_.is_due(time)) write_frame(simulation);
+    bool row_is_due = row_cadence_.is_due(time);
+    due_measures_.resize(measure_cadences_.size());
+    for (std::size_t k = 0; k < measure_cadences_.size(); ++k) {
+        due_measures_[k] = static_cast<std::uint8_t>(measure_cadences_[k].is_due(time));
+        row_is_due |= due_measures_[k] != 0;
+    }
+    if (row_is_due) write_row(simulation);
+    progress_.sampled = time;
 }
 
 void Outputs::write_frame(const Simulation& simulation) {
+    const Stopwatch watch(output_time_);
     const Particles& p = simulation.particles();
     std::vector<std::uint32_t> id(p.size());
     std::iota(id.begin(), id.end(), 0U);
@@ -163,38 +188,59 @@ void Outputs::write_frame(const Simulation& simulation) {
     frames_.append({simulation.time(), simulation.steps(), id, p.position, p.orientation,
                     p.velocity, p.angular_velocity, shape, p.group, coordination, p.force});
     progress_.frames = frames_.count();
-    progress_.last_frame = simulation.time();
+    last_frame_ = simulation.time();
 }
 
-void Outputs::write_history(const Simulation& simulation) {
+void Outputs::measure(const Simulation& simulation) {
+    const Stopwatch watch(measure_time_);
+    const auto& measures = simulation.scene().measures;
+    measured_.clear();
+    for (std::size_t k = 0; k < measures.size(); ++k) {
+        if (due_measures_[k] == 0) {
+            measured_.resize(measured_.size() + measure_columns(measures[k]).size());
+            continue;
+        }
+        for (const double value : measure_values(simulation, measures[k])) {
+            measured_.emplace_back(value);
+        }
+    }
+}
+
+void Outputs::write_row(const Simulation& simulation) {
+    measure(simulation);
+    const Stopwatch watch(output_time_);
     const Energies e = energies(simulation);
     const auto count = static_cast<double>(simulation.particles().size());
     const auto numbers = coordination_numbers(simulation);
     const double sum =
         static_cast<double>(std::accumulate(numbers.begin(), numbers.end(), std::uint64_t{0}));
-    std::vector<double> row = {simulation.time(),
-                               static_cast<double>(simulation.steps()),
-                               count,
-                               e.translational,
-                               e.rotational,
-                               e.elastic,
-                               e.potential,
-                               e.dissipated,
-                               e.wall_work,
-                               e.inserted,
-                               static_cast<double>(contact_count(simulation)),
-                               count > 0.0 ? sum / count : 0.0,
-                               simulation.largest_overlap().relative};
-    const auto measures = measure_values(simulation);
-    row.insert(row.end(), measures.begin(), measures.end());
+    std::vector<std::optional<double>> row = {simulation.time(),
+                                              static_cast<double>(simulation.steps()),
+                                              count,
+                                              e.translational,
+                                              e.rotational,
+                                              e.elastic,
+                                              e.potential,
+                                              e.dissipated,
+                                              e.wall_work,
+                                              e.inserted,
+                                              static_cast<double>(contact_count(simulation)),
+                                              count > 0.0 ? sum / count : 0.0,
+                                              simulation.largest_overlap().relative};
+    row.insert(row.end(), measured_.begin(), measured_.end());
     history_.append(row);
     progress_.rows = history_.rows();
-    progress_.last_row = simulation.time();
+    last_row_ = simulation.time();
 }
 
 void Outputs::finish(const Simulation& simulation, const RunResult& result) {
-    if (progress_.last_frame != simulation.time()) write_frame(simulation);
-    if (progress_.last_row != simulation.time()) write_history(simulation);
+    if (last_frame_ != simulation.time()) write_frame(simulation);
+    due_measures_.assign(simulation.scene().measures.size(), 1);
+    if (last_row_ != simulation.time()) {
+        write_row(simulation);
+    } else {
+        measure(simulation);
+    }
     write_body_table(directory_ / "final.csv", body_rows(simulation));
 
     const Scene& scene = simulation.scene();
@@ -208,6 +254,8 @@ void Outputs::finish(const Simulation& simulation, const RunResult& result) {
                        .missing = {},
                        .core_overlaps = result.core_overlaps,
                        .wall_time = result.wall_time,
+                       .measure_time = result.measure_time,
+                       .output_time = result.output_time,
                        .microseconds_per_particle_step = result.microseconds_per_particle_step,
                        .threads = omp_get_max_threads(),
                        .seed = scene.run.seed,
@@ -218,9 +266,8 @@ void Outputs::finish(const Simulation& simulation, const RunResult& result) {
         summary.missing.emplace_back(group.group, group.count - group.placed);
     }
     const auto columns = measure_columns(scene);
-    const auto values = measure_values(simulation);
     for (std::size_t k = 0; k < columns.size(); ++k) {
-        summary.measures.emplace_back(columns[k], values[k]);
+        summary.measures.emplace_back(columns[k], *measured_[k]);
     }
     write_summary(directory_ / "summary.json", summary);
 }

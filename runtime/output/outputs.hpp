@@ -8,16 +8,19 @@
 #include "runtime/simulation.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace dem {
 
-/// How far a run's outputs are: what a resumed run keeps of them.
+/// How far a run's outputs are: what a resumed run keeps of them. The state of a checkpoint itself
+/// has not been sampled: the run that goes on does that, if it is due then.
 struct OutputProgress {
     std::uint64_t frames = 0;
-    std::uint64_t rows = 0;    ///< of history.csv
-    double last_frame = -1.0;  ///< [s]
-    double last_row = -1.0;    ///< [s]
+    std::uint64_t rows = 0;      ///< of history.csv
+    double sampled = -1.0;       ///< what was due up to then is in the files [s]
+    double frames_every = 0.0;   ///< [s]
+    double history_every = 0.0;  ///< [s]
 };
 
 /// DIR/checkpoint.h5.
@@ -31,32 +34,43 @@ class Outputs {
     /// must exist. Throws Error when that is impossible.
     explicit Outputs(const Scene& scene);
 
-    /// Goes on with the files of the run that made a checkpoint at `time` [s]: what they have more
-    /// than `progress` says is dropped. Throws Error when they have less.
-    Outputs(const Scene& scene, const OutputProgress& progress, double time);
+    /// Goes on with the files of the run that made a checkpoint: what they have more than
+    /// `progress` says is dropped. Intervals that the case leaves open stay as they were, whatever
+    /// its end time is now. Throws Error when the files have less.
+    Outputs(const Scene& scene, const OutputProgress& progress);
 
-    /// Writes what is due at the present time; call before the first step and after each.
+    /// Writes what is due at the present time; call before each step.
     void sample(const Simulation& simulation);
 
     const OutputProgress& progress() const { return progress_; }
+    double measure_time() const { return measure_time_; }  ///< taken by measures so far [s]
+    double output_time() const { return output_time_; }    ///< taken by frames and rows so far [s]
 
     /// Lets the disk take what has been written: a checkpoint must not outlive what it counts on.
     void sync() const;
 
-    /// Writes the last state.
+    /// Writes the last state, due or not, with every measure.
     void finish(const Simulation& simulation, const RunResult& result);
 
   private:
-    void make_cadences(const Scene& scene);
     void write_frame(const Simulation& simulation);
-    void write_history(const Simulation& simulation);
+    void write_row(const Simulation& simulation);
+    void measure(const Simulation& simulation);
 
     std::filesystem::path directory_;
     HistoryWriter history_;
     FrameWriter frames_;
-    Cadence frame_cadence_;
-    std::vector<Cadence> history_cadences_;  ///< of the history and of every measure
     OutputProgress progress_;
+    Cadence frame_cadence_;
+    Cadence row_cadence_;
+    std::vector<Cadence> measure_cadences_;
+    std::vector<std::uint8_t> due_measures_;  ///< which to compute now
+    /// By measure, none where it was not due: what the next row says.
+    std::vector<std::optional<double>> measured_;
+    double last_frame_ = -1.0;  ///< [s]
+    double last_row_ = -1.0;    ///< [s]
+    double measure_time_ = 0.0;
+    double output_time_ = 0.0;
 };
 
 }  // namespace dem

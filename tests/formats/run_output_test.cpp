@@ -18,10 +18,10 @@ using RunOutput = TemporaryFolder;
 TEST_F(RunOutput, EveryHistoryRowIsOnTheDiskAsSoonAsItIsWritten) {
     HistoryWriter history(folder_ / "history.csv", std::vector<std::string>{"time", "step"});
     EXPECT_EQ(text("history.csv"), "time,step\n");
-    history.append(std::vector<double>{0.1, 1e6});
+    history.append(std::vector<std::optional<double>>{0.1, 1e6});
     EXPECT_EQ(text("history.csv"), "time,step\n0.1,1000000\n");
-    history.append(std::vector<double>{0.2, 2e6});
-    EXPECT_EQ(text("history.csv"), "time,step\n0.1,1000000\n0.2,2000000\n");
+    history.append(std::vector<std::optional<double>>{0.2, {}});
+    EXPECT_EQ(text("history.csv"), "time,step\n0.1,1000000\n0.2,\n");
 }
 
 TEST_F(RunOutput, AHistoryThatCannotBeWrittenIsAnError) {

@@ -106,14 +106,14 @@ class Run:
 
 
 def table(path):
-    """A csv file with a header as a dict of arrays (numbers where all are numbers)."""
+    """A csv file with a header as a dict of arrays (numbers where all are numbers, NaN where a field is empty)."""
     with open(path, newline="") as file:
         rows = list(csv.DictReader(file))
     columns = {}
     for name in rows[0]:
         values = [row[name] for row in rows]
         try:
-            columns[name] = np.array([float(v) for v in values])
+            columns[name] = np.array([float(v or "nan") for v in values])
         except ValueError:
             columns[name] = values
     return columns

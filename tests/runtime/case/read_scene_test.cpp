@@ -31,7 +31,7 @@ TEST(ReadScene, ASmallCaseBecomesTheSceneItDescribes) {
     EXPECT_DOUBLE_EQ(scene.kinds[0].inverse_inertia.mass, 1.0 / mass);
     EXPECT_EQ(scene.run.gravity, Vec3(0.0, 0.0, -9.81));
     EXPECT_FALSE(scene.run.time_step.has_value());
-    EXPECT_DOUBLE_EQ(scene.output.frames_every, 0.01);
+    EXPECT_FALSE(scene.output.frames_every.has_value()) << "a hundredth of the end time";
     ASSERT_EQ(scene.walls.size(), 2U);
     EXPECT_EQ(scene.walls[0].name, "vessel");
     EXPECT_EQ(scene.walls[1].name, "vessel.bottom");

@@ -73,14 +73,43 @@ TEST_F(Run, EndsAtRest) {
     EXPECT_LT(result.time, 1.0);
 }
 
-TEST_F(Run, IsInterruptedAfterAStepAndKeepsWhatItHas) {
+TEST_F(Run, ComputesAMeasureWhenItsOwnIntervalIsDue) {
+    Scene scene = bouncing_sphere();
+    scene.measures = {{"rare", MeasureSettings::Kind::contacts, 0.02},
+                      {"usual", MeasureSettings::Kind::contacts, std::nullopt}};
+    scene.run.end_time = 0.0501;
+    run(std::move(scene), {});
+    const auto history = lines("history.csv");
+    ASSERT_EQ(history.size(), 1U + 12U);
+    EXPECT_TRUE(history[0].ends_with(",rare_coordination,usual_coordination"));
+    for (std::size_t row = 0; row < 12; ++row) {
+        // Rows at 0, 5, 10, ... 50 ms and at the end, which has everything.
+        const std::string& line = history[row + 1];
+        const auto last = line.rfind(',');
+        const bool is_empty = line[last - 1] == ',';
+        EXPECT_EQ(is_empty, row % 4 != 0 && row != 11) << line;
+        EXPECT_LT(last, line.size() - 1) << line;
+    }
+}
+
+TEST_F(Run, CountsMeasuresAndFilesApartFromTheSteps) {
+    Scene scene = bouncing_sphere();
+    const RunResult result = run(scene, {});
+    EXPECT_GT(result.measure_time, 0.0);
+    EXPECT_GT(result.output_time, 0.0);
+    const double steps = 1e-6 * result.microseconds_per_particle_step * 10000.0;
+    EXPECT_NEAR(steps + result.measure_time + result.output_time, result.wall_time, 1e-9);
+    EXPECT_NE(text("run/summary.json").find("\"measure_time\": "), std::string::npos);
+}
+
+TEST_F(Run, IsInterruptedAndKeepsWhatItHas) {
     const volatile std::sig_atomic_t stop = 1;
     RunOptions options;
     options.stop_requested = &stop;
     const RunResult result = run(bouncing_sphere(), options);
     EXPECT_EQ(result.end, RunResult::End::interrupted);
-    EXPECT_EQ(result.steps, 1U);
-    EXPECT_EQ(lines("history.csv").size(), 3U);
+    EXPECT_EQ(result.steps, 0U);
+    EXPECT_EQ(lines("history.csv").size(), 1U + 1U);
     EXPECT_TRUE(std::filesystem::exists(directory_ / "final.csv"));
 }
 
@@ -140,8 +169,7 @@ class ResumedRun : public Run {
         return run(scene, options);
     }
     std::string text(const std::filesystem::path& name) const {
-        std::ifstream in(directory_ / name, std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
+        return TemporaryFolder::text(directory_ / name);
     }
     std::string resume_error(const Scene& scene) const {
         try {
@@ -177,6 +205,27 @@ TEST_F(ResumedRun, LeavesTheFilesOfOneThatNeverStopped) {
     EXPECT_EQ(found.members("/points"), expected.members("/points"));
     const Hdf5Reader surfaces(directory_ / "parts/surfaces.h5");
     EXPECT_EQ(surfaces.members("/frames"), expected.members("/frames"));
+}
+
+TEST_F(ResumedRun, ToALaterEndKeepsTheIntervalsOfTheRunThatBegan) {
+    const auto automatic = [&](double end_time, const char* folder) {
+        Scene scene = pour(end_time, 1, folder);
+        scene.output.frames_every.reset();
+        scene.output.history_every.reset();
+        scene.measures[0].every.reset();
+        return scene;
+    };
+    run(automatic(0.03, "parts"), {});
+    resume(automatic(0.07, "parts"));
+    Scene whole = automatic(0.07, "whole");
+    whole.output.frames_every = 0.03 / 100.0;
+    whole.output.history_every = 0.03 / 1000.0;
+    run(whole, {});
+    for (const char* name : {"history.csv", "frames.xdmf"}) {
+        EXPECT_TRUE(text(std::filesystem::path("parts") / name) ==
+                    text(std::filesystem::path("whole") / name))
+            << name;
+    }
 }
 
 TEST_F(ResumedRun, ThatHadEndedDoesNothingMore) {

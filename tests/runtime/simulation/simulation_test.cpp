@@ -161,14 +161,13 @@ TEST(AtRest, IsReachedAfterTheLastBounceAndNotAtTheTopOfAFlight) {
     Simulation simulation(spheres_over_a_floor({at(0.0, 0.0, 4.0 * radius)}), 5e-6);
     AtRest at_rest(simulation.scene());
     double last_touchdown = 0.0;
-    bool reached = false;
-    while (!reached && simulation.time() < 2.0) {
+    while (!at_rest.was_reached() && simulation.time() < 2.0) {
         const bool touched = contact_count(simulation) > 0;
         simulation.step();
         if (!touched && contact_count(simulation) > 0) last_touchdown = simulation.time();
-        reached = at_rest.reached(simulation);
+        at_rest.look(simulation);
     }
-    EXPECT_TRUE(reached);
+    EXPECT_TRUE(at_rest.was_reached());
     EXPECT_GT(last_touchdown, 0.1);
     EXPECT_GT(simulation.time(), last_touchdown);
     EXPECT_LT(simulation.time(), 0.6);
@@ -251,7 +250,8 @@ TEST(SolidFraction, DoesNotCountTheAirUpToTheHighestBody) {
     const double surface = fill_height(simulation.particles(), simulation.scene()).surface;
     const SolidFraction expected = solid_fraction(simulation.particles(), simulation.scene(),
                                                   *find_vessel(simulation.scene()), {0.0, surface});
-    EXPECT_EQ(measure_values(simulation).front(), expected.overall);
+    EXPECT_EQ(measure_values(simulation, simulation.scene().measures.front()).front(),
+              expected.overall);
     EXPECT_GT(expected.overall, 0.3) << "0.06 up to the highest point";
     EXPECT_EQ(measure_columns(simulation.scene()).back(), "bed_bulk_density");
 }
