@@ -58,23 +58,19 @@ void check_trailer(const std::filesystem::path& path) {
     }
 }
 
-std::uint64_t size_bound(const Checkpoint& checkpoint) {
-    constexpr std::uint64_t per_array = 2048;  // of HDF5's own
-    std::uint64_t bytes = 0;
-    for (const auto& [name, values] : checkpoint) bytes += values.bytes.size() + per_array;
-    return bytes;
-}
-
 }  // namespace
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
     PendingFile pending(path);
-    Hdf5File file(pending.temporary_path(), Hdf5File::Mode::create, size_bound(checkpoint));
-    file.describe("/", "layout", checkpoint_layout);
-    file.describe("/", "program", std::string_view("ShapeDEM " DEM_VERSION));
-    file.make_group("/state");
-    for (const auto& [name, values] : checkpoint) file.write_plain("/state/" + name, values);
-    file.close();
+    {
+        JournaledFile disk(pending);
+        Hdf5File file(disk);
+        file.describe("/", "layout", checkpoint_layout);
+        file.describe("/", "program", std::string_view("ShapeDEM " DEM_VERSION));
+        file.make_group("/state");
+        for (const auto& [name, values] : checkpoint) file.write_plain("/state/" + name, values);
+        file.close();
+    }
     append_trailer(pending);
     pending.commit();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/frames.hpp"
 
+#include "common/atomic_file.hpp"
 #include "common/error.hpp"
 #include "formats/hdf5_file.hpp"
 #include "formats/hdf5_reader.hpp"
@@ -46,14 +47,10 @@ struct MeshTables {
             first_triangle.push_back(triangles.size() / 3);
         }
     }
-    std::uint64_t bytes() const {
-        return vertices.size() * sizeof(double) + triangles.size() * sizeof(std::uint32_t) +
-               2 * first_vertex.size() * sizeof(std::uint64_t);
-    }
 };
 
-void write_shapes(Hdf5File& file, std::span<const ParticleTemplate> shapes,
-                  const MeshTables& meshes) {
+void write_shapes(Hdf5File& file, std::span<const ParticleTemplate> shapes) {
+    const MeshTables meshes(shapes);
     std::vector<std::string> names;
     std::vector<std::string> kinds;
     std::vector<double> volumes;
@@ -128,10 +125,19 @@ XdmfGrid write_tables(FrameTables& tables, const Frame& frame) {
     return grid;
 }
 
-/// An upper bound of the tables of one frame [bytes].
-std::uint64_t largest_size(const Frame& frame) {
-    constexpr std::uint64_t per_particle = 16 * sizeof(double) + 6 * sizeof(std::uint32_t);
-    return frame.position.size() * per_particle;
+/// What is the same in all frames.
+void write_beginning(JournaledFile& disk, const FrameContext& context,
+                     std::span<const ParticleTemplate> shapes) {
+    Hdf5File file(disk);
+    file.describe("/", "layout", frames_layout);
+    file.describe("/", "program", std::string_view("ShapeDEM " DEM_VERSION));
+    file.describe("/", "case", context.case_path);
+    file.describe("/", "units", std::string_view("SI, world frame, quaternions w x y z"));
+    write_shapes(file, shapes);
+    file.write("/groups", context.groups);
+    file.make_group("/frames");
+    file.make_group("/points");
+    file.close();
 }
 
 std::string frame_name(std::uint64_t number) {
@@ -160,7 +166,6 @@ FrameWriter::FrameWriter(const std::filesystem::path& directory, const FrameCont
         try {
             take_up();
         } catch (const Error& error) {
-            // A process that is killed while a frame is added leaves tables that do not fit.
             throw Error(std::string(error.what()) +
                         ", expected the frames before the checkpoint; move the file away and "
                         "--resume begins a new one");
@@ -170,22 +175,19 @@ FrameWriter::FrameWriter(const std::filesystem::path& directory, const FrameCont
 }
 
 void FrameWriter::begin(const FrameContext& context, std::span<const ParticleTemplate> shapes) {
-    const MeshTables meshes(shapes);
-    // Names are short; what the bound forgets is within the margin of Hdf5File.
-    const std::uint64_t shape_bytes = shapes.size() * 256;
-    Hdf5File file(path_, Hdf5File::Mode::create, meshes.bytes() + shape_bytes);
-    file.describe("/", "layout", frames_layout);
-    file.describe("/", "program", std::string_view("ShapeDEM " DEM_VERSION));
-    file.describe("/", "case", context.case_path);
-    file.describe("/", "units", std::string_view("SI, world frame, quaternions w x y z"));
-    write_shapes(file, shapes, meshes);
-    file.write("/groups", context.groups);
-    file.make_group("/frames");
-    file.make_group("/points");
-    file.close();
+    index_.begin({});
+    PendingFile pending(path_);
+    {
+        JournaledFile disk(pending);
+        write_beginning(disk, context, shapes);
+    }
+    JournaledFile::forget(path_);
+    pending.commit();
+    disk_ = std::make_unique<JournaledFile>(path_);
 }
 
 void FrameWriter::take_up() {
+    disk_ = std::make_unique<JournaledFile>(path_);
     std::vector<std::string> entries;
     std::vector<std::string> later;
     std::string last;  // "": begun anew by another resumed run, and no frame since
@@ -213,28 +215,27 @@ void FrameWriter::take_up() {
     if (last != frame_name(count_ - 1) && !last.empty()) {
         throw Error(path_.string(), "ends with frame " + last + " of " + std::to_string(count_));
     }
-    Hdf5File file(path_, Hdf5File::Mode::extend, 0);
+    index_.begin(entries);
+    if (later.empty()) return;
+    Hdf5File file(*disk_);
     for (const std::string& name : later) file.erase(name);
     file.close();
-    index_.take_up(entries);
 }
 
 // Readers of XDMF need the number of each point spelled out: Xdmf3 aborts without.
-XdmfTable FrameWriter::points(Hdf5File& file, std::size_t count) {
-    if (points_.rows != count || points_.path.empty()) {
-        std::vector<std::uint32_t> numbers(count);
-        std::iota(numbers.begin(), numbers.end(), 0U);
-        const std::string name = "/points/" + frame_name(count_);
-        file.write(name, numbers);
-        points_ = {"frames.h5:" + name, count, 1, "UInt", 4};
-    }
-    return points_;
+XdmfTable FrameWriter::points(Hdf5File& file, std::size_t count) const {
+    if (points_.rows == count && !points_.path.empty()) return points_;
+    std::vector<std::uint32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    const std::string name = "/points/" + frame_name(count_);
+    file.write(name, numbers);
+    return {"frames.h5:" + name, count, 1, "UInt", 4};
 }
 
 void FrameWriter::append(const Frame& frame) {
     const std::string name = frame_name(count_);
     const std::string group = "/frames/" + name + "/";
-    Hdf5File file(path_, Hdf5File::Mode::extend, largest_size(frame));
+    Hdf5File file(*disk_);
     FrameTables tables(file, group, "frames.h5:" + group);
     XdmfGrid grid = write_tables(tables, frame);
     grid.cells = points(file, frame.position.size());
@@ -244,9 +245,15 @@ void FrameWriter::append(const Frame& frame) {
     const std::string entry = index_.entry(grid);
     file.describe(group, "xdmf", entry);
     file.close();
+    points_ = grid.cells;
+    ++count_;
     index_.append(entry);
     if (surfaces_) surfaces_->append(frame, name);
-    ++count_;
+}
+
+void FrameWriter::secure() {
+    disk_->secure();
+    if (surfaces_) surfaces_->secure();
 }
 
 }  // namespace dem

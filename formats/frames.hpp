@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/shapes/particle_template.hpp"
+#include "formats/journaled_file.hpp"
 #include "formats/surfaces.hpp"
 #include "formats/xdmf_series.hpp"
 
@@ -41,9 +42,9 @@ struct FrameContext {
     bool surfaces = false;            ///< also write every particle's surface (surfaces.hpp)
 };
 
-/// Appends frames to DIR/frames.h5. After each append the files are complete: a run that is killed
-/// keeps every frame. Throws Error with the file and the reason (no such folder, disk full, ...);
-/// what was written before stays readable.
+/// Appends frames to DIR/frames.h5. After each append the files are complete: whatever ends the
+/// process, every frame is kept (journaled_file.hpp). Throws Error with the file and the reason (no
+/// such folder, disk full, ...); what was written before stays readable.
 class FrameWriter {
   public:
     /// Begins new files.
@@ -61,12 +62,16 @@ class FrameWriter {
 
     std::uint64_t count() const { return count_; }  ///< of frames
 
+    /// Lets the disk take all frames.
+    void secure();
+
   private:
     void begin(const FrameContext& context, std::span<const ParticleTemplate> shapes);
     void take_up();
-    XdmfTable points(Hdf5File& file, std::size_t count);
+    XdmfTable points(Hdf5File& file, std::size_t count) const;
 
     std::filesystem::path path_;
+    std::unique_ptr<JournaledFile> disk_;
     std::uint64_t count_ = 0;
     XdmfTable points_;  ///< 0, 1, 2, ..., shared by frames of as many particles
     XdmfSeries index_;

@@ -2,17 +2,12 @@
 #include "formats/hdf5_file.hpp"
 
 #include "common/error.hpp"
+#include "formats/hdf5_driver.hpp"
 #include "formats/hdf5_handle.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <system_error>
 #include <utility>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace dem {
 
@@ -25,30 +20,6 @@ constexpr std::size_t chunked_from = std::size_t{1} << 14;
 constexpr std::size_t chunk_bytes = std::size_t{1} << 18;
 constexpr unsigned deflate_level = 1;  // 4 takes twice as long and saves 1 % of doubles
 
-/// Extends the file by `bytes` of real blocks; HDF5 cuts off what it has not used when it closes.
-/// Disks that cannot reserve are only asked whether they have the room.
-void reserve(const std::filesystem::path& path, std::uint64_t bytes) {
-    const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    struct stat status {};
-    int error = 0;
-    if (descriptor < 0 || fstat(descriptor, &status) != 0) {
-        error = errno;
-    } else if (fallocate(descriptor, 0, status.st_size, static_cast<off_t>(bytes)) != 0) {
-        error = errno;
-        // Part of it may have been granted.
-        if (ftruncate(descriptor, status.st_size) != 0) error = errno;
-    }
-    if (descriptor >= 0) close(descriptor);
-    if (error == EOPNOTSUPP || error == ENOSYS) {
-        std::error_code ignored;
-        const auto space = std::filesystem::space(path, ignored);
-        error = !ignored && space.available < bytes ? ENOSPC : 0;
-    }
-    if (error != 0) {
-        throw Error(path.string(), "cannot write: " + std::generic_category().message(error));
-    }
-}
-
 /// Settings of a new file, group or table (H5P_..._CREATE) without the time at which it is made:
 /// equal runs write equal files.
 struct Untimed : Handle {
@@ -59,34 +30,39 @@ struct Untimed : Handle {
 
 }  // namespace
 
-Hdf5File::Hdf5File(const std::filesystem::path& path, Mode mode, std::uint64_t bytes)
-    : path_(path) {
+Hdf5File::Hdf5File(JournaledFile& disk) : disk_(disk) {
     silence_hdf5();
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     if (H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18) < 0 ||
-        H5Pset_file_locking(access, false, true) < 0) {
+        use_journaled_file(access, disk) < 0) {
         fail("set up");
     }
-    if (mode == Mode::create) {
-        file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, Untimed(H5P_FILE_CREATE), access);
+    const std::string name = disk.path().string();
+    if (disk.size() == 0) {
+        file_ = H5Fcreate(name.c_str(), H5F_ACC_TRUNC, Untimed(H5P_FILE_CREATE), access);
         if (file_ < 0) fail("create");
-        close();
+    } else {
+        file_ = H5Fopen(name.c_str(), H5F_ACC_RDWR, access);
+        if (file_ < 0) fail("open");
     }
-    reserve(path, bytes + bytes / 64 + (std::uint64_t{1} << 16));
-    file_ = H5Fopen(path.c_str(), H5F_ACC_RDWR, access);
-    if (file_ < 0) fail("open");
 }
 
 Hdf5File::~Hdf5File() {
-    if (file_ >= 0) H5Fclose(file_);
+    if (file_ < 0) return;
+    H5Fclose(file_);
+    disk_.discard();
 }
 
 void Hdf5File::close() {
-    if (H5Fclose(std::exchange(file_, H5I_INVALID_HID)) < 0) fail("write");
+    if (H5Fclose(std::exchange(file_, H5I_INVALID_HID)) < 0) {
+        disk_.discard();
+        fail("write");
+    }
+    disk_.commit();
 }
 
 void Hdf5File::fail(const std::string& action) const {
-    throw Error(path_.string(), "cannot " + action + ": " + hdf5_reason());
+    throw Error(disk_.path().string(), "cannot " + action + ": " + hdf5_reason());
 }
 
 void Hdf5File::make_group(const std::string& name) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "formats/journaled_file.hpp"
 #include "formats/plain_values.hpp"
 
 #include <cstdint>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,11 +14,8 @@
 
 namespace dem {
 
-/// An HDF5 file open for writing, so that its content survives what may happen to a long run:
-/// - The writer opens the file, adds to it and closes it again; between two additions the file on
-///   the disk is complete, whatever becomes of the process.
-/// - Room is reserved before anything is added, because a disk that fills up while HDF5 updates its
-///   own tables would cost everything that the file already holds.
+/// An HDF5 file open for writing. What is written becomes a part of the file with `close`, as a
+/// whole or not at all, and a disk that fills up leaves the file as it was (journaled_file.hpp).
 /// - No lock is taken: somebody who looks at the file does not stop the run.
 /// - The layout is that of HDF5 1.8, which MATLAB and older ParaView read and which has no mark for
 ///   "not closed properly".
@@ -26,16 +23,14 @@ namespace dem {
 /// Every member throws Error with the file's name and the reason of the system or of HDF5.
 class Hdf5File {
   public:
-    enum class Mode { create, extend };
+    /// Adds to a file, or begins one that is empty.
+    explicit Hdf5File(JournaledFile& disk);
 
-    /// create replaces a file; extend opens an existing one and reserves room for `bytes` more of
-    /// data (tables and all that HDF5 adds are allowed for).
-    Hdf5File(const std::filesystem::path& path, Mode mode, std::uint64_t bytes);
+    /// Without `close` what was written is dropped.
     ~Hdf5File();
     Hdf5File(const Hdf5File&) = delete;
     Hdf5File& operator=(const Hdf5File&) = delete;
 
-    /// Writes everything out. Without it the destructor closes and swallows errors.
     void close();
 
     /// Makes a group in one that exists.
@@ -73,7 +68,7 @@ class Hdf5File {
                          Types types);
     [[noreturn]] void fail(const std::string& action) const;
 
-    std::filesystem::path path_;
+    JournaledFile& disk_;
     hid_t file_ = H5I_INVALID_HID;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/surfaces.hpp"
 
+#include "common/atomic_file.hpp"
 #include "common/error.hpp"
 #include "formats/frames.hpp"
 #include "formats/hdf5_file.hpp"
@@ -19,14 +20,27 @@ SurfaceWriter::SurfaceWriter(const std::filesystem::path& directory,
         take_up(frames);
         return;
     }
-    Hdf5File file(path_, Hdf5File::Mode::create, 0);
-    file.make_group("/topologies");
-    file.make_group("/frames");
-    file.close();
+    begin();
+}
+
+void SurfaceWriter::begin() {
+    index_.begin({});
+    PendingFile pending(path_);
+    {
+        JournaledFile disk(pending);
+        Hdf5File file(disk);
+        file.make_group("/topologies");
+        file.make_group("/frames");
+        file.close();
+    }
+    JournaledFile::forget(path_);
+    pending.commit();
+    disk_ = std::make_unique<JournaledFile>(path_);
 }
 
 // What the last triangles show is not looked up: the next frame writes its own.
 void SurfaceWriter::take_up(std::uint64_t frames) {
+    disk_ = std::make_unique<JournaledFile>(path_);
     std::vector<std::string> entries;
     std::vector<std::string> later;
     {
@@ -44,10 +58,11 @@ void SurfaceWriter::take_up(std::uint64_t frames) {
             if (std::stoull(name) >= topologies_) later.push_back("/topologies/" + name);
         }
     }
-    Hdf5File file(path_, Hdf5File::Mode::extend, 0);
+    index_.begin(entries);
+    if (later.empty()) return;
+    Hdf5File file(*disk_);
     for (const std::string& name : later) file.erase(name);
     file.close();
-    index_.take_up(entries);
 }
 
 void SurfaceWriter::write_triangles(const Frame& frame) {
@@ -69,8 +84,7 @@ void SurfaceWriter::write_triangles(const Frame& frame) {
         first += mesh.vertices.size();
     }
     const std::string group = "/topologies/" + std::to_string(topologies_++) + "/";
-    Hdf5File file(path_, Hdf5File::Mode::extend,
-                  (triangles.size() + ids.size()) * sizeof(std::uint32_t));
+    Hdf5File file(*disk_);
     file.make_group(group);
     file.write(group + "triangles", triangles, 3);
     file.write(group + "particle_id", ids);
@@ -102,7 +116,7 @@ void SurfaceWriter::append(const Frame& frame, const std::string& frame_name) {
                       static_cast<float>(frame.velocity[i].norm()));
     }
     const std::string group = "/frames/" + frame_name + "/";
-    Hdf5File file(path_, Hdf5File::Mode::extend, (points.size() + speeds.size()) * sizeof(float));
+    Hdf5File file(*disk_);
     file.make_group(group);
     file.write(group + "points", points, 3);
     file.write(group + "speed", speeds);

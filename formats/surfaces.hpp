@@ -2,10 +2,12 @@
 #pragma once
 
 #include "common/shapes/particle_template.hpp"
+#include "formats/journaled_file.hpp"
 #include "formats/xdmf_series.hpp"
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,11 +28,16 @@ class SurfaceWriter {
     /// Throws Error, also for a frame of more than 2^32 vertices.
     void append(const Frame& frame, const std::string& frame_name);
 
+    /// Lets the disk take all of it.
+    void secure() { disk_->secure(); }
+
   private:
+    void begin();
     void take_up(std::uint64_t frames);
     void write_triangles(const Frame& frame);
 
     std::filesystem::path path_;
+    std::unique_ptr<JournaledFile> disk_;
     XdmfSeries index_;
     std::vector<DisplayMesh> meshes_;  ///< by shape
 

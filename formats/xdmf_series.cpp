@@ -42,11 +42,7 @@ std::string grid_text(const XdmfGrid& grid, std::size_t number) {
 }  // namespace
 
 XdmfSeries::XdmfSeries(std::filesystem::path path, std::string name)
-    : path_(std::move(path)), name_(std::move(name)), last_written_(Progress::steady_seconds()) {
-    std::error_code
-        ignored;  // what cannot be removed cannot be replaced either, which write() says
-    std::filesystem::remove(path_, ignored);
-}
+    : path_(std::move(path)), name_(std::move(name)), last_written_(Progress::steady_seconds()) {}
 
 XdmfSeries::~XdmfSeries() {
     try {
@@ -59,12 +55,17 @@ std::string XdmfSeries::entry(const XdmfGrid& grid) const {
     return grid.points.rows == 0 || grid.cells.rows == 0 ? "" : grid_text(grid, count_);
 }
 
-void XdmfSeries::take_up(const std::vector<std::string>& entries) {
+void XdmfSeries::begin(const std::vector<std::string>& entries) {
     for (const std::string& entry : entries) {
         grids_ += entry;
         if (!entry.empty()) ++count_;
     }
-    if (count_ > 0) write();
+    if (count_ > 0) {
+        write();
+        return;
+    }
+    std::error_code ignored;  // what cannot be removed cannot be replaced either, as write() says
+    std::filesystem::remove(path_, ignored);
 }
 
 void XdmfSeries::append(const std::string& entry) {

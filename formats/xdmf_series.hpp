@@ -40,7 +40,6 @@ struct XdmfGrid {
 /// again.
 class XdmfSeries {
   public:
-    /// Removes the index of an earlier run.
     XdmfSeries(std::filesystem::path path, std::string name);
     ~XdmfSeries();
     XdmfSeries(const XdmfSeries&) = delete;
@@ -51,8 +50,8 @@ class XdmfSeries {
 
     void append(const std::string& entry);
 
-    /// Entries that an earlier series has appended; writes them.
-    void take_up(const std::vector<std::string>& entries);
+    /// Replaces what an earlier series has left by those of its entries that still hold.
+    void begin(const std::vector<std::string>& entries);
 
     /// Replaces the file now. Throws Error.
     void write();

@@ -151,16 +151,15 @@ Outputs::Outputs(const Scene& scene, const OutputProgress& progress)
     for (Cadence& cadence : measure_cadences_) static_cast<void>(cadence.is_due(progress.sampled));
 }
 
-void Outputs::sync() const {
-    for (const char* name : {"frames.h5", "history.csv"}) {
-        const std::string path = (directory_ / name).string();
-        const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-        const bool is_synced = descriptor >= 0 && fsync(descriptor) == 0;
-        const int error = errno;
-        if (descriptor >= 0) close(descriptor);
-        if (!is_synced) {
-            throw Error(path, "cannot write: " + std::generic_category().message(error));
-        }
+void Outputs::sync() {
+    frames_.secure();
+    const std::string path = (directory_ / "history.csv").string();
+    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const bool is_synced = descriptor >= 0 && fsync(descriptor) == 0;
+    const int error = errno;
+    if (descriptor >= 0) close(descriptor);
+    if (!is_synced) {
+        throw Error(path, "cannot write: " + std::generic_category().message(error));
     }
 }
 

@@ -47,7 +47,7 @@ class Outputs {
     double output_time() const { return output_time_; }    ///< taken by frames and rows so far [s]
 
     /// Lets the disk take what has been written: a checkpoint must not outlive what it counts on.
-    void sync() const;
+    void sync();
 
     /// Writes the last state, due or not, with every measure.
     void finish(const Simulation& simulation, const RunResult& result);

@@ -63,8 +63,12 @@ TEST_F(CheckpointFile, AnotherFileIsNamedAsSuch) {
     EXPECT_EQ(read_message().find(path_.string()), 0U) << "missing";
     write("checkpoint.h5", "no checkpoint");
     EXPECT_EQ(read_message(), path_.string() + ": is not a checkpoint of demrun, or is cut short");
-    Hdf5File file(path_, Hdf5File::Mode::create, 0);
-    file.close();
+    {
+        PendingFile pending(path_);
+        JournaledFile disk(pending);
+        Hdf5File(disk).close();
+        pending.commit();
+    }
     EXPECT_EQ(read_message(), path_.string() + ": is not a checkpoint of demrun, or is cut short");
 }
 

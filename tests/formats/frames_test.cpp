@@ -181,7 +181,8 @@ TEST_F(Frames, AFolderThatCannotBeWrittenIsNamed) {
         (folder_ / "no" / "frames.h5").string() + ": cannot create: No such file or directory");
     std::filesystem::create_directory(folder_ / "frames.h5");
     const std::string message = message_of<Error>([&] { FrameWriter(folder_, context_, shapes_); });
-    EXPECT_EQ(message, (folder_ / "frames.h5").string() + ": cannot create: Is a directory");
+    EXPECT_EQ(message, (folder_ / "frames.h5").string() +
+                           ": is a directory, expected the name of a file to write");
 }
 
 TEST_F(Frames, SurfacesAreTheDisplayMeshesMovedByEachParticle) {
