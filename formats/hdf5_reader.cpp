@@ -80,6 +80,18 @@ std::uint64_t Hdf5Reader::size(const std::string& table) const {
     return static_cast<std::uint64_t>(size);
 }
 
+std::vector<std::byte> Hdf5Reader::content(const std::string& table) const {
+    const Handle data(H5Dopen2(file_, table.c_str(), H5P_DEFAULT), H5Dclose);
+    const Handle type(H5Dget_type(data), H5Tclose);
+    const H5T_class_t kind = H5Tget_class(type);
+    if (kind != H5T_INTEGER && kind != H5T_FLOAT) fail(table);
+    std::vector<std::byte> bytes(size(table) * H5Tget_size(type));
+    if (!bytes.empty() && H5Dread(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0) {
+        fail(table);
+    }
+    return bytes;
+}
+
 PlainValues Hdf5Reader::plain(const std::string& name) const {
     const Handle data(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
     const Handle type(H5Dget_type(data), H5Tclose);

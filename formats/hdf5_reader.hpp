@@ -29,6 +29,9 @@ class Hdf5Reader {
     /// Entries of a plain list.
     std::uint64_t size(const std::string& table) const;
 
+    /// The numbers of a table as they are in the file, one behind another.
+    std::vector<std::byte> content(const std::string& table) const;
+
     /// A list of plain values as Hdf5File::write_plain stored it.
     PlainValues plain(const std::string& name) const;
 
