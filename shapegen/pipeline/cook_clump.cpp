@@ -7,6 +7,7 @@
 #include "shapegen/clump/mass_balance.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace dem {
@@ -23,11 +24,40 @@ BuiltClump build(ClumpMaker& maker, const ClumpGoal& goal) {
     return maker.clump(cover);
 }
 
+/// True when the body is a union of balls and these balls do what was asked.
+bool is_its_own_clump(const Solid& solid, const ClumpGoal& goal, double min_radius) {
+    const std::size_t count = solid.balls.size();
+    if (count == 0 || count > Clump::most_spheres) return false;
+    if (goal.count > 0 && goal.count < count) return false;
+    return std::all_of(solid.balls.begin(), solid.balls.end(),
+                       [&](const Ball& ball) { return ball.radius >= min_radius; });
+}
+
+/// The balls that the body is the union of. Nothing is left to measure but how far its surface is
+/// from theirs.
+BuiltClump own_clump(const Solid& solid) {
+    const double deviation =
+        solid.balls_deviation / equivalent_diameter(solid.mass_properties.volume);
+    BuiltClump clump{solid.balls, {}, 1.0};
+    clump.quality.coverage = 1.0;
+    clump.quality.volume_ratio = 1.0;
+    clump.quality.rms_deviation = deviation;
+    clump.quality.max_deviation_in = deviation;
+    clump.quality.max_deviation_out = deviation;
+    return clump;
+}
+
 /// What a user might miss in the certificate.
 std::vector<std::string> remarks(const ClumpGoal& goal, const BuiltClump& clump,
-                                 const MassBalance& masses) {
+                                 const MassBalance& masses, bool is_own) {
     std::vector<std::string> lines;
-    if (clump.balls.size() < goal.count)
+    if (is_own)
+        lines.push_back(clump.balls.size() == 1
+                            ? "the body is a sphere, which is its clump: nothing to fit"
+                            : format("the body is the union of %zu spheres, which are its clump: "
+                                     "nothing to fit",
+                                     clump.balls.size()));
+    else if (clump.balls.size() < goal.count)
         lines.push_back(
             format("room for %zu of %zu spheres: more voxels (--resolution) or smaller "
                    "spheres (--min-radius) may give more",
@@ -61,13 +91,19 @@ CookedClump cook_clump(const Solid& solid, const ClumpRequest& request) {
     const double d_eq = equivalent_diameter(solid.mass_properties.volume);
     ClumpOptions options = request.options;
     if (request.min_radius > 0.0) options.min_radius = request.min_radius / d_eq;
-    ClumpMaker maker(solid.mesh, solid.mass_properties, options);
-    const BuiltClump clump = build(maker, request.goal);
+    const bool is_own = is_its_own_clump(solid, request.goal, d_eq * options.min_radius);
+    const bool wants_fewer = request.wants_convergence && solid.balls.size() > 1;
+    std::optional<ClumpMaker> maker;
+    if (!is_own || wants_fewer) maker.emplace(solid.mesh, solid.mass_properties, options);
+    const BuiltClump clump = is_own ? own_clump(solid) : build(*maker, request.goal);
     const MassBalance masses = balance_masses(clump.balls, solid.mass_properties);
 
     CookedClump result;
-    result.lines = remarks(request.goal, clump, masses);
-    if (request.wants_convergence) result.convergence = convergence(maker, clump.balls.size());
+    result.lines = remarks(request.goal, clump, masses, is_own);
+    const std::size_t count = clump.balls.size();
+    if (request.wants_convergence && maker)
+        result.convergence = convergence(*maker, is_own ? count - 1 : count);
+    if (request.wants_convergence && is_own) result.convergence.push_back({count, clump.quality});
     ParticleTemplate& shape = result.shape;
     shape.name = solid.name;
     shape.mass_properties = solid.mass_properties;

@@ -29,7 +29,8 @@ struct CookedClump {
 
 /// The template of a clump that stands for a solid: the solid's mass properties, exactly; spheres
 /// whose shares of the mass have them too, as far as its certificate says; a bounding radius that
-/// holds the solid and every sphere. Throws Error where no clump does what was asked.
+/// holds the solid and every sphere. A solid that is a union of balls gets those and no fit, where
+/// as many were asked for. Throws Error where no clump does what was asked.
 CookedClump cook_clump(const Solid& solid, const ClumpRequest& request);
 
 }  // namespace dem

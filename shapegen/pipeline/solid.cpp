@@ -5,6 +5,7 @@
 #include "formats/memory_map.hpp"
 #include "formats/profile_file.hpp"
 #include "shapegen/import/mesh_file.hpp"
+#include "shapegen/revolution/ball_chain.hpp"
 #include "shapegen/revolution/convexity.hpp"
 #include "shapegen/revolution/display_mesh.hpp"
 #include "shapegen/revolution/mass_properties.hpp"
@@ -36,6 +37,12 @@ Solid from_profile(const std::filesystem::path& path) {
     solid.mass_properties = mass.mass_properties;
     solid.mean_squared_surface_distance = mass.mean_squared_surface_distance;
     solid.is_convex = convexity(profile).is_convex;
+    const BallChain chain = ball_chain(profile);
+    for (const AxialBall& ball : chain.balls)
+        solid.balls.push_back({{0.0, 0.0, ball.z}, ball.radius});
+    // The center of mass, whatever rounding the integrals leave.
+    if (solid.balls.size() == 1) solid.balls.front().center.setZero();
+    solid.balls_deviation = chain.max_deviation;
     solid.display_mesh = std::async(std::launch::deferred, [profile, length] {
         return display_mesh(profile, picture_tolerance * length);
     });

@@ -3,6 +3,7 @@
 
 #include "common/shapes/particle_template.hpp"
 #include "common/shapes/triangle_mesh.hpp"
+#include "shapegen/clump/ball.hpp"
 #include "shapegen/import/load_mesh.hpp"
 
 #include <cstdint>
@@ -25,6 +26,10 @@ struct Solid {
     double mean_squared_surface_distance = 0.0;  ///< [m^2]
     bool is_convex = false;
     std::shared_future<DisplayMesh> display_mesh;  ///< body frame; made meanwhile
+
+    /// Where the body is a union of balls: those, in the body frame; else empty.
+    std::vector<Ball> balls;
+    double balls_deviation = 0.0;  ///< of their surface from the body's [m]
 };
 
 /// Reads a mesh or a profile. A mesh is repaired; a profile is revolved to a mesh that leaves its
