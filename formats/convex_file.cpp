@@ -137,7 +137,9 @@ std::optional<Rounding> wanted_rounding(const ProfileText& text, const NamedConv
     const auto setting = text.settings.find("rounding");
     if (setting == text.settings.end()) return std::nullopt;
     try {
-        return parse_rounding(setting->second.value, text.unit);
+        Rounding rounding = parse_rounding(setting->second.value, text.unit);
+        if (!rounding.is_share) rounding.value *= text.scale;
+        return rounding;
     } catch (const Error& problem) {
         throw Error(text.place(setting->second.line), problem.what());
     }
@@ -210,7 +212,7 @@ ConvexFile convex(std::string_view bytes, const ProfileText& text, const NamedCo
     StateHash hash;
     hash.add(std::span<const char>(bytes));
     file.hash = hash.value();
-    file.unit = text.unit;
+    file.unit = text.unit * text.scale;
     file.lines = notes(text, shape);
     return file;
 }
@@ -218,8 +220,8 @@ ConvexFile convex(std::string_view bytes, const ProfileText& text, const NamedCo
 }  // namespace
 
 ConvexFile parse_convex(std::string_view bytes, const std::string& path,
-                        const std::optional<Rounding>& rounding) {
-    const ProfileText text = parse_profile_text(bytes, path);
+                        const std::optional<Rounding>& rounding, double scale) {
+    const ProfileText text = parse_profile_text(bytes, path, scale);
     if (text.settings.empty() && text.statements.empty())
         throw Error(path, "the file is empty, expected a convex shape");
     if (!text.settings.contains("shape"))
@@ -229,13 +231,14 @@ ConvexFile parse_convex(std::string_view bytes, const std::string& path,
     return convex(bytes, text, find_named(text, shapes()), rounding);
 }
 
-ConvexFile read_convex(const std::string& path, const std::optional<Rounding>& rounding) {
-    return parse_convex(read_text_file(path, "convex shape"), path, rounding);
+ConvexFile read_convex(const std::string& path, const std::optional<Rounding>& rounding,
+                       double scale) {
+    return parse_convex(read_text_file(path, "convex shape"), path, rounding, scale);
 }
 
 ConvexFile parse_convex_profile(std::string_view bytes, const std::string& path,
-                                const std::optional<Rounding>& rounding) {
-    const ProfileText text = parse_profile_text(bytes, path);
+                                const std::optional<Rounding>& rounding, double scale) {
+    const ProfileText text = parse_profile_text(bytes, path, scale);
     const auto name = text.settings.find("shape");
     const auto& known = profiles();
     const auto found = std::find_if(known.begin(), known.end(), [&](const NamedConvex& shape) {
@@ -249,8 +252,9 @@ ConvexFile parse_convex_profile(std::string_view bytes, const std::string& path,
     return convex(bytes, text, *found, rounding);
 }
 
-ConvexFile read_convex_profile(const std::string& path, const std::optional<Rounding>& rounding) {
-    return parse_convex_profile(read_text_file(path, "profile"), path, rounding);
+ConvexFile read_convex_profile(const std::string& path, const std::optional<Rounding>& rounding,
+                               double scale) {
+    return parse_convex_profile(read_text_file(path, "profile"), path, rounding, scale);
 }
 
 }  // namespace dem

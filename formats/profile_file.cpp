@@ -104,8 +104,8 @@ void close_by_discs(ProfileDraft& draft) {
 
 }  // namespace
 
-ProfileFile parse_profile(std::string_view text, const std::string& path) {
-    const ProfileText parts = parse_profile_text(text, path);
+ProfileFile parse_profile(std::string_view text, const std::string& path, double scale) {
+    const ProfileText parts = parse_profile_text(text, path, scale);
     if (parts.settings.empty() && parts.statements.empty())
         throw Error(path, "the file is empty, expected a profile");
     ProfileDraft draft =
@@ -115,11 +115,11 @@ ProfileFile parse_profile(std::string_view text, const std::string& path) {
     StateHash hash;
     hash.add(std::span<const char>(text));
     return {Profile(std::move(draft.segments), std::move(draft.labels)),
-            std::filesystem::path(path).stem().string(), hash.value(), parts.unit};
+            std::filesystem::path(path).stem().string(), hash.value(), parts.unit * scale};
 }
 
-ProfileFile read_profile(const std::string& path) {
-    return parse_profile(read_text_file(path, "profile"), path);
+ProfileFile read_profile(const std::string& path, double scale) {
+    return parse_profile(read_text_file(path, "profile"), path, scale);
 }
 
 }  // namespace dem

@@ -52,19 +52,20 @@ double ProfileText::length(std::string_view text, std::size_t line) const {
     double value = 0.0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error == std::errc() && end == digits.data() + digits.size()) {
-        if (std::isfinite(value)) return value * unit;
+        if (std::isfinite(value)) return value * unit * scale;
         throw Error(place(line), in_quotes(text) + " found, expected a finite length");
     }
     try {
-        return parse_quantity(text, Dimension::length);
+        return parse_quantity(text, Dimension::length) * scale;
     } catch (const Error& problem) {
         throw Error(place(line), problem.what());
     }
 }
 
-ProfileText parse_profile_text(std::string_view text, const std::string& path) {
+ProfileText parse_profile_text(std::string_view text, const std::string& path, double scale) {
     ProfileText result;
     result.path = path;
+    result.scale = scale;
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark
     std::size_t number = 0;
     while (!text.empty()) {

@@ -25,18 +25,19 @@ struct ProfileText {
     std::string path;
     std::map<std::string, Setting, std::less<>> settings;
     std::vector<Statement> statements;
-    double unit = 1.0;  ///< of plain numbers [m], from the setting `units`
+    double unit = 1.0;   ///< of plain numbers [m], from the setting `units`
+    double scale = 1.0;  ///< of all lengths, whatever their unit
 
     /// "tablet.profile:12"
     std::string place(std::size_t line) const { return path + ":" + std::to_string(line); }
 
-    /// A length with or without a unit [m]. Throws Error(place, ...).
+    /// A length with or without a unit [m], times the scale. Throws Error(place, ...).
     double length(std::string_view text, std::size_t line) const;
 };
 
 /// Throws Error for bytes that are no text, a setting given twice or without a value, an unknown
 /// unit, more lines than `most_profile_lines`.
-ProfileText parse_profile_text(std::string_view text, const std::string& path);
+ProfileText parse_profile_text(std::string_view text, const std::string& path, double scale = 1.0);
 
 /// More points than any drawing or measured outline has; a longer table is a mistake that would
 /// only cost time and memory.

@@ -145,7 +145,6 @@ po::options_description mesh_options() {
     po::options_description options("Meshes (docs/mesh-import.md)");
     options.add_options()("unit", text("UNIT"),
                           "of the file's coordinates: m, mm, um, cm, in; default: mm, m for glTF")(
-        "scale", text("S")->default_value("1"), "multiply all lengths")(
         "repair-limit", text("F")->default_value("1%"),
         "largest part of the volume that repairs may put at stake")(
         "largest", "of several bodies in a file keep the largest");

@@ -30,7 +30,8 @@ po::options_description cook_options() {
     po::options_description options("Cooking");
     options.add_options()("output,o", po::value<std::string>()->value_name("OUT.tpl"),
                           "the template to write; default: INPUT's name with .tpl, here")(
-        "quiet,q", "print nothing but errors");
+        "scale", po::value<std::string>()->default_value("1")->value_name("S"),
+        "multiply all lengths of INPUT")("quiet,q", "print nothing but errors");
     return options;
 }
 
@@ -208,7 +209,7 @@ void check_input_kind(const po::variables_map& values, const CookCommand& comman
                              "--clump-error E% or --convex");
         return;
     }
-    for (const char* option : {"unit", "scale", "repair-limit", "largest"})
+    for (const char* option : {"unit", "repair-limit", "largest"})
         if (values.count(option) != 0 && !values[option].defaulted())
             throw UsageError("--" + std::string(option),
                              "found it with " + command.input.string() +

@@ -81,7 +81,7 @@ struct Cooked {
 };
 
 Cooked cook_profile(const CookCommand& command) {
-    const ProfileFile file = read_profile(command.input.string());
+    const ProfileFile file = read_profile(command.input.string(), command.mesh.scale);
     Cooked cooked{cook(file.profile, file.name, command.options), file.hash, {}};
     cooked.shape.input_unit = file.unit;
     return cooked;

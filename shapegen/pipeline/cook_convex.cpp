@@ -49,9 +49,11 @@ void finish(CookedConvex& cooked, ConvexSolid solid, std::string name, Certifica
                    1e3 * rounding, 1e2 * loss, 1e3 * retreat));
 }
 
-CookedConvex cook_file(const std::filesystem::path& path, const ConvexRequest& request) {
-    ConvexFile file = is_convex_file(path) ? read_convex(path.string(), request.rounding)
-                                           : read_convex_profile(path.string(), request.rounding);
+CookedConvex cook_file(const std::filesystem::path& path, const ConvexRequest& request,
+                       double scale) {
+    ConvexFile file = is_convex_file(path)
+                          ? read_convex(path.string(), request.rounding, scale)
+                          : read_convex_profile(path.string(), request.rounding, scale);
     CookedConvex cooked;
     cooked.hash = file.hash;
     cooked.lines = std::move(file.lines);
@@ -126,7 +128,7 @@ ParticleTemplate convex_template(ConvexSolid solid, std::string name) {
 
 CookedConvex cook_convex(const std::filesystem::path& path, const ConvexRequest& request,
                          const MeshLoadOptions& mesh) {
-    if (!is_mesh_file(path)) return cook_file(path, request);
+    if (!is_mesh_file(path)) return cook_file(path, request, mesh.scale);
     try {
         return cook_mesh(path, request, mesh);
     } catch (const Error& problem) {

@@ -22,8 +22,8 @@ constexpr double revolved_tolerance = 2e-5;  // of the length of the major axis
 constexpr double picture_tolerance = 1e-3;   // the same
 constexpr std::size_t picture_triangles = 2000;
 
-Solid from_profile(const std::filesystem::path& path) {
-    const ProfileFile file = read_profile(path.string());
+Solid from_profile(const std::filesystem::path& path, double scale) {
+    const ProfileFile file = read_profile(path.string(), scale);
     const RevolutionMass mass = revolution_mass(file.profile);
     const Profile profile = file.profile.translated(-mass.mass_properties.center_of_mass.z());
     const double length = profile.major_axis_length();
@@ -76,7 +76,7 @@ Solid from_mesh(const std::filesystem::path& path, const MeshLoadOptions& option
 }  // namespace
 
 Solid load_solid(const std::filesystem::path& path, const MeshLoadOptions& options) {
-    return is_mesh_file(path) ? from_mesh(path, options) : from_profile(path);
+    return is_mesh_file(path) ? from_mesh(path, options) : from_profile(path, options.scale);
 }
 
 }  // namespace dem

@@ -127,6 +127,27 @@ TEST_F(ShapegenCli, InspectsAsTextAndAsJson) {
     EXPECT_TRUE(shape["certificate"].contains("support_error_max"));
 }
 
+TEST_F(ShapegenCli, ScalesEveryKindOfInput) {
+    write("ball.profile", "units = mm\nshape = sphere\nradius = 2\n");
+    write("cube.convex", "units = mm\nshape = cuboid\nlength = 3\nwidth = 3\nheight = 3\n");
+    write("tetrahedron.off",
+          "OFF\n4 4 0\n0 0 0\n3 0 0\n0 3 0\n0 0 3\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+    for (const char* arguments :
+         {"ball.profile", "ball.profile --sphere", "ball.profile --convex",
+          "ball.profile --clump 0.9", "cube.convex", "tetrahedron.off --convex",
+          "tetrahedron.off --clump-spheres 3 --resolution 20"}) {
+        const std::string command = std::string(arguments) + " -q -o a.tpl --scale ";
+        EXPECT_EQ(run(command + "1").code, 0) << arguments;
+        const ParticleTemplate plain = read_template(folder_ / "a.tpl").shapes[0];
+        EXPECT_EQ(run(command + "2.5").code, 0) << arguments;
+        const ParticleTemplate scaled = read_template(folder_ / "a.tpl").shapes[0];
+        EXPECT_NEAR(scaled.mass_properties.volume / plain.mass_properties.volume, cube(2.5), 1e-11)
+            << arguments;
+        EXPECT_NEAR(scaled.input_unit / plain.input_unit, 2.5, 1e-15) << arguments;
+    }
+    expect_failure(run("ball.profile --scale 0"), 2, "a number above 0");
+}
+
 TEST_F(ShapegenCli, WritesASphereAsOneAndRefusesAnythingElse) {
     write("ball.profile", "units = mm\nshape = sphere\nradius = 2\n");
     EXPECT_EQ(run("ball.profile --sphere -q").code, 0);

@@ -41,6 +41,27 @@ void expect_message(const std::string& text, const std::string& place, const std
 
 const std::string cuboid = "units = mm\nshape = cuboid\nlength = 6\nwidth = 5\nheight = 4\n";
 
+TEST(ConvexFile, AScaleMultipliesLengthsWhateverTheirUnitAndTheFilesOwnRounding) {
+    for (const std::string& rounding :
+         {std::string(""), std::string("rounding = 0.2\n"), std::string("rounding = 0.2 mm\n"),
+          std::string("rounding = 3%\n")}) {
+        const std::string text =
+            "units = mm\nshape = cuboid\nlength = 6\nwidth = 0.5 cm\nheight = 4\n" + rounding;
+        const ConvexFile plain = parse_convex(text, "x.convex");
+        const ConvexFile scaled = parse_convex(text, "x.convex", {}, 10.0);
+        EXPECT_NEAR(scaled.solid.mass_properties.volume / plain.solid.mass_properties.volume, 1e3,
+                    1e-9);
+        EXPECT_NEAR(scaled.solid.shape.rounding / plain.solid.shape.rounding, 10.0, 1e-12);
+        EXPECT_NEAR(scaled.unit, 1e-2, 1e-17);
+    }
+    const ConvexFile points = parse_convex(
+        "shape=polyhedron\nrounding=0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "x.convex", {}, 2.0);
+    EXPECT_NEAR(points.solid.mass_properties.volume, 8.0 / 6.0, 1e-12);
+    // What the command line says is meant as it is.
+    const ConvexFile told = parse_convex(cuboid, "x.convex", Rounding{0.2e-3, false}, 10.0);
+    EXPECT_EQ(told.solid.shape.rounding, 0.2e-3);
+}
+
 TEST(ConvexFile, NamedShapesHaveTheVolumesOfTheirClosedForms) {
     const auto expect_volume = [](const std::string& text, double expected) {
         EXPECT_NEAR(volume(text) / expected, 1.0, 1e-9) << text;

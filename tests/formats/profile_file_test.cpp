@@ -160,6 +160,24 @@ TEST(ProfileFile, ShippedProfilesAreBodies) {
     EXPECT_GE(count, 14);
 }
 
+TEST(ProfileFile, AScaleMultipliesLengthsOfEveryKindOfProfileWhateverTheirUnit) {
+    for (const char* text :
+         {"units = mm\nshape = tablet\nband_radius = 5\nband_height = 4 mm\ncap_height = 0.1 cm\n",
+          "units = mm\nshape = superquadric\na = 2\nc = 3\nexponent = 4\n",
+          "units = mm\nstart 0 -1.6\narc 0.8 0 radius 1\nline 0.8 2 mm 0.5 2.5\nfillet 0.1\nline 0 "
+          "3\n",
+          "units = mm\n0 0\n1 0.5\n0 2\n"}) {
+        const ProfileFile plain = parse_profile(text, "x.profile");
+        const ProfileFile scaled = parse_profile(text, "x.profile", 2.5);
+        EXPECT_NEAR(scaled.unit, 2.5 * plain.unit, 1e-18);
+        EXPECT_EQ(scaled.hash, plain.hash);
+        for (const Vec2& x : {Vec2(0.0, 0.0), Vec2(1e-3, 2e-3), Vec2(4e-3, 0.0), Vec2(0.0, 5e-3)})
+            EXPECT_NEAR(scaled.profile.signed_distance(2.5 * x),
+                        2.5 * plain.profile.signed_distance(x), 1e-15)
+                << text;
+    }
+}
+
 TEST(ProfileFile, HashChangesWithAnyByte) {
     const std::string text = "shape = sphere\nradius = 1 mm\n";
     EXPECT_NE(parse_profile(text, "a").hash, parse_profile(text + " ", "a").hash);
