@@ -139,14 +139,15 @@ void write_mercurydpm(const std::filesystem::path& folder, const Body& body) {
 
 }  // namespace
 
-void write_clump_csv(const std::filesystem::path& path, const ParticleTemplate& shape) {
-    const MassProperties& body = shape.mass_properties;
-    const double unit = shape.input_unit;
+void write_clump_csv(const std::filesystem::path& path, const ParticleTemplate& shape,
+                     const InputFrame& frame) {
     std::string text = "x,y,z,radius,mass\n";
     for (const ClumpSphere& s : clump_of(shape).spheres) {
-        const Vec3 c = (body.center_of_mass + body.principal_axes * s.center()) / unit;
+        const Vec3 c = frame.point(s.center());
         text +=
-            join({c.x(), c.y(), c.z(), s.radius / unit, s.volume_share / cube(unit)}, ",") + '\n';
+            join({c.x(), c.y(), c.z(), frame.length(s.radius), s.volume_share / cube(frame.unit())},
+                 ",") +
+            '\n';
     }
     write_file(path, text);
 }

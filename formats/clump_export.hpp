@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/shapes/particle_template.hpp"
+#include "formats/input_frame.hpp"
 
 #include <filesystem>
 #include <string>
@@ -11,9 +12,10 @@
 /// the shape is no clump. `density` [kg/m^3] makes masses of shares.
 namespace dem {
 
-/// `x,y,z,radius,mass` of each sphere, a header row, in the frame and the unit of the input; masses
-/// per unit density in cubes of that unit, which add up to the volume of the input.
-void write_clump_csv(const std::filesystem::path& path, const ParticleTemplate& shape);
+/// `x,y,z,radius,mass` of each sphere, a header row, in the frame of the input; masses per unit
+/// density in cubes of the unit of length, which add up to the volume of the input.
+void write_clump_csv(const std::filesystem::path& path, const ParticleTemplate& shape,
+                     const InputFrame& frame);
 
 /// Codes whose clump files are written: "liggghts", "lammps", "yade", "mercurydpm", "dem-engine".
 const std::vector<std::string>& clump_formats();

@@ -34,12 +34,8 @@ void open_array(std::string& out, const std::string& type, const std::string& na
            (name == "Points" ? " NumberOfComponents=\"3\"" : "") + " format=\"ascii\">\n";
 }
 
-}  // namespace
-
-namespace {
-
-template <class Mesh>
-std::string stl(const Mesh& mesh, std::string header) {
+// The header must not begin with "solid", which marks the text variant.
+std::string stl(const ColoredMesh& mesh, std::string header) {
     header.resize(80, ' ');
     std::string out = header;
     append_bytes(out, static_cast<std::uint32_t>(mesh.triangles.size()));
@@ -65,12 +61,11 @@ std::string vtu_head(std::size_t points, std::size_t cells) {
 
 constexpr const char* array_end = "        </DataArray>\n";
 
-template <class Meshes>
-void append_points_and_cells(std::string& out, const Meshes& meshes) {
+void append_points_and_cells(std::string& out, std::span<const ColoredMesh> meshes) {
     constexpr int triangle_type = 5;  // VTK_TRIANGLE
     out += "      <Points>\n";
     open_array(out, "Float64", "Points");
-    for (const auto& mesh : meshes) {
+    for (const ColoredMesh& mesh : meshes) {
         for (const Vec3& p : mesh.vertices) {
             append_text(out, p, ' ');
             out += '\n';
@@ -80,7 +75,7 @@ void append_points_and_cells(std::string& out, const Meshes& meshes) {
     open_array(out, "Int64", "connectivity");
     std::size_t first = 0;
     std::size_t count = 0;
-    for (const auto& mesh : meshes) {
+    for (const ColoredMesh& mesh : meshes) {
         for (const auto& [a, b, c] : mesh.triangles)
             out += std::to_string(first + a) + ' ' + std::to_string(first + b) + ' ' +
                    std::to_string(first + c) + '\n';
@@ -96,25 +91,30 @@ void append_points_and_cells(std::string& out, const Meshes& meshes) {
     out += std::string(array_end) + "      </Cells>\n";
 }
 
+void append_values(std::string& out, std::span<const ColoredMesh> parts, const std::string& name) {
+    out += "      <PointData Scalars=\"" + name + "\">\n";
+    open_array(out, "Float64", name);
+    for (const ColoredMesh& mesh : parts)
+        for (const double value : mesh.values) out += number_text(value) + '\n';
+    out += std::string(array_end) + "      </PointData>\n";
+}
+
+void append_part_numbers(std::string& out, std::span<const ColoredMesh> parts) {
+    out += "      <CellData>\n";
+    open_array(out, "UInt8", "part");
+    for (std::size_t part = 0; part < parts.size(); ++part)
+        for (std::size_t i = 0; i < parts[part].triangles.size(); ++i)
+            out += std::to_string(part) + '\n';
+    out += std::string(array_end) + "      </CellData>\n";
+}
+
 constexpr const char* vtu_tail = "    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n";
 
 }  // namespace
 
-// The header must not begin with "solid", which marks the text variant.
-void write_stl(const std::filesystem::path& path, const DisplayMesh& mesh,
-               const std::string& name) {
-    write_file(path, stl(mesh, "binary STL, unit m: " + name));
-}
-
 void write_stl(const std::filesystem::path& path, const ColoredMesh& mesh, const std::string& name,
                const std::string& unit) {
     write_file(path, stl(mesh, "binary STL, unit " + unit + ": " + name));
-}
-
-void write_vtu(const std::filesystem::path& path, const DisplayMesh& mesh) {
-    std::string out = vtu_head(mesh.vertices.size(), mesh.triangles.size());
-    append_points_and_cells(out, std::span(&mesh, 1));
-    write_file(path, out + vtu_tail);
 }
 
 void write_vtu(const std::filesystem::path& path, std::span<const ColoredMesh> parts,
@@ -127,21 +127,14 @@ void write_vtu(const std::filesystem::path& path, std::span<const ColoredMesh> p
     }
     std::string out = vtu_head(points, cells);
     append_points_and_cells(out, parts);
-    out += "      <PointData Scalars=\"" + value_name + "\">\n";
-    open_array(out, "Float64", value_name);
-    for (const ColoredMesh& mesh : parts)
-        for (const double value : mesh.values) out += number_text(value) + '\n';
-    out += std::string(array_end) + "      </PointData>\n      <CellData>\n";
-    open_array(out, "UInt8", "part");
-    for (std::size_t part = 0; part < parts.size(); ++part)
-        for (std::size_t i = 0; i < parts[part].triangles.size(); ++i)
-            out += std::to_string(part) + '\n';
-    write_file(path, out + array_end + "      </CellData>\n" + vtu_tail);
+    if (!value_name.empty()) append_values(out, parts, value_name);
+    if (parts.size() > 1) append_part_numbers(out, parts);
+    write_file(path, out + vtu_tail);
 }
 
 void write_obj(const std::filesystem::path& path, std::span<const ColoredMesh> parts,
-               std::span<const std::string> names) {
-    std::string out;
+               std::span<const std::string> names, const std::string& unit) {
+    std::string out = "# unit " + unit + '\n';
     std::size_t first = 1;
     for (std::size_t part = 0; part < parts.size(); ++part) {
         const ColoredMesh& mesh = parts[part];
@@ -159,13 +152,14 @@ void write_obj(const std::filesystem::path& path, std::span<const ColoredMesh> p
     write_file(path, out);
 }
 
-void write_nodes_csv(const std::filesystem::path& path, const SurfaceNodes& nodes) {
+void write_nodes_csv(const std::filesystem::path& path, const SurfaceNodes& nodes,
+                     const InputFrame& frame) {
     std::string out = "x,y,z,mean_curvature\n";
     for (std::uint32_t i = 0; i < nodes.count; ++i) {
         const SurfaceNodes::Node& node = nodes.nodes[i];
-        append_text(out, Vec3(node.x, node.y, node.z), ',');
+        append_text(out, frame.point({node.x, node.y, node.z}), ',');
         out += ',';
-        out += number_text(node.mean_curvature);
+        out += number_text(frame.unit() * node.mean_curvature);
         out += '\n';
     }
     write_file(path, out);

@@ -2,42 +2,41 @@
 #pragma once
 
 #include "common/shapes/particle_template.hpp"
+#include "formats/input_frame.hpp"
 
 #include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
 
-/// Files for other programs: surfaces and nodes in the body frame, lengths in metres. Each is
-/// written beside and renamed; throws Error when that fails.
+/// Files for other programs: surfaces as they are given, nodes in the frame and unit of the input.
+/// Each is written beside and renamed; throws Error when that fails.
 namespace dem {
 
-/// A surface with a number at each vertex, in any frame and unit.
+/// A surface in any frame and unit, with a number at each vertex where there is something to show.
 struct ColoredMesh {
     std::vector<Vec3> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<double> values;  ///< one per vertex
+    std::vector<double> values;  ///< one per vertex, or none
 };
 
-/// Binary STL, single precision; `name` goes into the header.
-void write_stl(const std::filesystem::path& path, const DisplayMesh& mesh, const std::string& name);
-
-/// The same of a surface in another unit, which goes into the header as well.
+/// Binary STL, single precision; the name and the unit go into the header.
 void write_stl(const std::filesystem::path& path, const ColoredMesh& mesh, const std::string& name,
                const std::string& unit);
 
-/// VTK XML unstructured grid (ParaView, meshio), ASCII with digits that round trip exactly.
-void write_vtu(const std::filesystem::path& path, const DisplayMesh& mesh);
-
-/// Several surfaces in one file: `value_name` at the points, `part` (0, 1, ...) of the triangles.
+/// VTK XML unstructured grid (ParaView, meshio), ASCII with digits that round trip exactly, of one
+/// or more surfaces: `value_name` at the points unless it is "", and the number of the surface (0,
+/// 1, ...) as `part` of its triangles where there are several.
 void write_vtu(const std::filesystem::path& path, std::span<const ColoredMesh> parts,
                const std::string& value_name);
 
-/// Wavefront OBJ, one object for each surface.
+/// Wavefront OBJ, one object for each surface; the unit goes into a comment.
 void write_obj(const std::filesystem::path& path, std::span<const ColoredMesh> parts,
-               std::span<const std::string> names);
+               std::span<const std::string> names, const std::string& unit);
 
-/// `x,y,z,mean_curvature` of each surface node, one row a node, a header row.
-void write_nodes_csv(const std::filesystem::path& path, const SurfaceNodes& nodes);
+/// `x,y,z,mean_curvature` of each surface node, one row a node, a header row; curvatures in one
+/// over the unit of length.
+void write_nodes_csv(const std::filesystem::path& path, const SurfaceNodes& nodes,
+                     const InputFrame& frame);
 
 }  // namespace dem

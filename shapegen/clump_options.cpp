@@ -191,11 +191,7 @@ MeshLoadOptions read_mesh_options(const po::variables_map& values) {
     MeshLoadOptions options;
     if (has(values, "unit")) {
         options.unit = values["unit"].as<std::string>();
-        try {
-            unit_factor(options.unit, Dimension::length);
-        } catch (const Error& error) {
-            throw UsageError("--unit", error.what());
-        }
+        length_unit_option(values, "unit");
     }
     const auto scale = values["scale"].as<std::string>();
     const auto number = plain_number(scale);

@@ -59,11 +59,13 @@ po::options_description export_options() {
     po::options_description options("Exporting");
     options.add_options()(
         "output,o", po::value<std::string>()->value_name("FILE"),
-        "the file to write. Surface of revolution: .svg picture of the "
-        "cross-section, the nodes and the curvature; .stl or .vtu display mesh; "
-        ".csv surface nodes. Clump, in the frame and unit of the input: .csv "
-        "spheres; .stl spheres as triangles; .vtu or .obj body and clump; .svg "
-        "picture of both, colored by deviation. Library: .svg of the first 25 shapes")(
+        "the file to write, in the frame and the unit of the input. Clump: .csv spheres; .stl "
+        "spheres as triangles; .vtu or .obj body and clump; .svg picture of both, colored by "
+        "deviation. Other shapes: .stl, .vtu or .obj display mesh; .svg picture. Surface of "
+        "revolution: .csv surface nodes. Library: .svg of the first 25 shapes")(
+        "unit", po::value<std::string>()->value_name("UNIT"),
+        "of lengths in tables and surfaces: m, mm, um, cm, in; default: the input's, a --scale "
+        "included; m where there was none (generate)")(
         "format", po::value<std::string>()->value_name("CODE"),
         "a clump for liggghts, lammps, yade, mercurydpm (a folder) or dem-engine")(
         "density", po::value<std::string>()->default_value("1000 kg/m^3")->value_name("D"),
@@ -256,6 +258,18 @@ Command parse_inspect(const Words& words) {
     return InspectCommand{one_input(values, "a .tpl file"), values.count("json") != 0};
 }
 
+/// Pictures write lengths in a unit that suits them, files of other codes are in SI units.
+double export_unit(const po::variables_map& values, const ExportCommand& command) {
+    if (!command.format.empty())
+        throw UsageError("--unit", "found it with --format " + command.format +
+                                       ", expected it without: such files are in SI units");
+    if (command.output.extension() == ".svg")
+        throw UsageError("--unit",
+                         "found it with a picture, expected it with .csv, .stl, .obj or "
+                         ".vtu");
+    return length_unit_option(values, "unit");
+}
+
 Command parse_export(const Words& words) {
     const po::variables_map values = parse(words, export_options());
     PrintCommand print;
@@ -270,6 +284,7 @@ Command parse_export(const Words& words) {
     if (values.count("format") != 0) command.format = values["format"].as<std::string>();
     if (!values["density"].defaulted() && command.format.empty())
         throw UsageError("--density", "found it without --format, expected it with one");
+    if (values.count("unit") != 0) command.unit = export_unit(values, command);
     const auto density = values["density"].as<std::string>();
     try {
         command.density = parse_quantity(density, Dimension::density);

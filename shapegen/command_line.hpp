@@ -32,9 +32,10 @@ struct InspectCommand {
 /// `shapegen export FILE.tpl -o FILE.{svg,stl,obj,vtu,csv}` or `... -o FILE --format CODE`
 struct ExportCommand {
     std::filesystem::path input, output;
-    std::string shape;     ///< name or index; "" when the file holds one shape
-    std::string format;    ///< of another code; "": by the extension of the output
-    double density = 1e3;  ///< for the masses of other codes [kg/m^3]
+    std::string shape;           ///< name or index; "" when the file holds one shape
+    std::string format;          ///< of another code; "": by the extension of the output
+    double density = 1e3;        ///< for the masses of other codes [kg/m^3]
+    std::optional<double> unit;  ///< of lengths [m]; none: the input's
 };
 
 /// `--help` or `--version`: words for stdout.

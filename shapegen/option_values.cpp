@@ -2,6 +2,7 @@
 #include "shapegen/option_values.hpp"
 
 #include "common/error.hpp"
+#include "common/units.hpp"
 
 namespace dem {
 
@@ -18,6 +19,14 @@ std::int64_t whole_number(const po::variables_map& values, const std::string& op
         throw UsageError("--" + option, "found " + std::to_string(found) + ", expected " +
                                             std::to_string(least) + " to " + std::to_string(most));
     return found;
+}
+
+double length_unit_option(const po::variables_map& values, const std::string& option) {
+    try {
+        return unit_factor(values[option].as<std::string>(), Dimension::length);
+    } catch (const Error& error) {
+        throw UsageError("--" + option, error.what());
+    }
 }
 
 std::filesystem::path template_output(const po::variables_map& values) {

@@ -16,6 +16,10 @@ boost::program_options::typed_value<std::string>* text(const char* name);
 std::int64_t whole_number(const boost::program_options::variables_map& values,
                           const std::string& option, std::int64_t least, std::int64_t most);
 
+/// The value of an option that names a unit of length [m]. Throws UsageError for an unknown one.
+double length_unit_option(const boost::program_options::variables_map& values,
+                          const std::string& option);
+
 /// The file of --output, a template. Throws UsageError where its name does not end in .tpl.
 std::filesystem::path template_output(const boost::program_options::variables_map& values);
 

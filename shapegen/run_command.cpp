@@ -179,7 +179,7 @@ void run(const ExportCommand& command, std::ostream&) {
         return write_file(command.output, contact_sheet(file.shapes));
     const ParticleTemplate& shape = find_shape(file, command.input.string(), command.shape);
     if (command.format.empty())
-        export_shape(shape, command.output);
+        export_shape(shape, command.output, command.unit.value_or(shape.input_unit));
     else
         write_clump_file(command.output, shape, command.format, command.density);
 }

@@ -116,12 +116,4 @@ ColoredMesh body_surface(const ParticleTemplate& shape) {
     return result;
 }
 
-ColoredMesh in_input_frame(ColoredMesh mesh, const ParticleTemplate& shape) {
-    const MassProperties& body = shape.mass_properties;
-    for (Vec3& p : mesh.vertices)
-        p = (body.center_of_mass + body.principal_axes * p) / shape.input_unit;
-    for (double& value : mesh.values) value /= shape.input_unit;
-    return mesh;
-}
-
 }  // namespace dem

@@ -17,7 +17,4 @@ ColoredMesh clump_surface(const ParticleTemplate& shape, std::size_t most_triang
 /// positive where the clump stands out, negative where it falls short. Body frame.
 ColoredMesh body_surface(const ParticleTemplate& shape);
 
-/// Moves a surface to the frame of the input and divides lengths by its unit.
-ColoredMesh in_input_frame(ColoredMesh mesh, const ParticleTemplate& shape);
-
 }  // namespace dem

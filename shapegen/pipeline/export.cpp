@@ -5,7 +5,6 @@
 #include "common/error.hpp"
 #include "formats/clump_export.hpp"
 #include "formats/mesh_export.hpp"
-#include "formats/number_text.hpp"
 #include "shapegen/picture/clump_picture.hpp"
 #include "shapegen/picture/clump_surface.hpp"
 #include "shapegen/picture/contact_sheet.hpp"
@@ -13,6 +12,7 @@
 
 #include <array>
 #include <charconv>
+#include <vector>
 
 namespace dem {
 
@@ -24,31 +24,29 @@ const SrShape& sr_shape(const ParticleTemplate& shape, const std::string& format
                 "found a shape of kind '" + kind_name(shape) + "', expected 'sr' for " + format);
 }
 
-/// Everything in the frame and the unit of the input, so that it lies on it.
-void export_clump(const ParticleTemplate& shape, const std::filesystem::path& path) {
-    const std::string extension = path.extension().string();
+/// Surfaces to look at: of a clump the body's and that of the spheres, else the body's.
+std::vector<ColoredMesh> surfaces(const ParticleTemplate& shape, const InputFrame& frame) {
     constexpr std::size_t most_triangles = 200'000;
-    const auto surfaces = [&shape] {
-        return std::array{in_input_frame(body_surface(shape), shape),
-                          in_input_frame(clump_surface(shape, most_triangles), shape)};
-    };
-    if (extension == ".csv") {
-        write_clump_csv(path, shape);
-    } else if (extension == ".svg") {
-        write_file(path, clump_picture(shape));
-    } else if (extension == ".stl") {
-        write_stl(path, surfaces()[1], shape.name, number_text(shape.input_unit) + " m");
-    } else if (extension == ".vtu") {
-        write_vtu(path, surfaces(), "deviation");
-    } else if (extension == ".obj") {
-        const std::array<std::string, 2> names{"body", "clump"};
-        write_obj(path, surfaces(), names);
+    std::vector<ColoredMesh> parts;
+    if (std::holds_alternative<Clump>(shape.shape)) {
+        parts = {body_surface(shape), clump_surface(shape, most_triangles)};
     } else {
-        throw UsageError(path.string(),
-                         "found the extension '" + extension +
-                             "', expected .csv, .vtu, .stl, .obj or .svg, or --format for another "
-                             "code");
+        const DisplayMesh& mesh = shape.display_mesh;
+        parts.push_back({{mesh.vertices.begin(), mesh.vertices.end()},
+                         {mesh.triangles.begin(), mesh.triangles.end()},
+                         {}});
     }
+    for (ColoredMesh& mesh : parts) {
+        for (Vec3& p : mesh.vertices) p = frame.point(p);
+        for (double& value : mesh.values) value = frame.length(value);
+    }
+    return parts;
+}
+
+std::string picture(const ParticleTemplate& shape) {
+    if (std::holds_alternative<Clump>(shape.shape)) return clump_picture(shape);
+    if (std::holds_alternative<ConvexShape>(shape.shape)) return contact_sheet({&shape, 1});
+    return shape_picture(shape, sr_shape(shape, "a picture"));
 }
 
 }  // namespace
@@ -75,22 +73,28 @@ const ParticleTemplate& find_shape(const TemplateFile& file, const std::string& 
                            std::to_string(file.shapes.size()));
 }
 
-void export_shape(const ParticleTemplate& shape, const std::filesystem::path& path) {
-    if (std::holds_alternative<Clump>(shape.shape)) return export_clump(shape, path);
+void export_shape(const ParticleTemplate& shape, const std::filesystem::path& path, double unit) {
+    const InputFrame frame(shape, unit);
+    const bool is_clump = std::holds_alternative<Clump>(shape.shape);
     const std::string extension = path.extension().string();
     if (extension == ".svg") {
-        write_file(path, std::holds_alternative<ConvexShape>(shape.shape)
-                             ? contact_sheet({&shape, 1})
-                             : shape_picture(shape, sr_shape(shape, "a picture")));
-    } else if (extension == ".stl") {
-        write_stl(path, shape.display_mesh, shape.name);
-    } else if (extension == ".vtu") {
-        write_vtu(path, shape.display_mesh);
+        write_file(path, picture(shape));
+    } else if (extension == ".csv" && is_clump) {
+        write_clump_csv(path, shape, frame);
     } else if (extension == ".csv") {
-        write_nodes_csv(path, sr_shape(shape, "surface nodes").nodes);
+        write_nodes_csv(path, sr_shape(shape, "surface nodes").nodes, frame);
+    } else if (extension == ".stl") {
+        write_stl(path, surfaces(shape, frame).back(), shape.name, frame.unit_name());
+    } else if (extension == ".vtu") {
+        write_vtu(path, surfaces(shape, frame), is_clump ? "deviation" : "");
+    } else if (extension == ".obj") {
+        const std::array<std::string, 2> names{"body", "clump"};
+        write_obj(path, surfaces(shape, frame), names, frame.unit_name());
     } else {
-        throw UsageError(path.string(), "found the extension '" + extension +
-                                            "', expected .svg, .stl, .vtu or .csv");
+        throw UsageError(path.string(),
+                         "found the extension '" + extension +
+                             "', expected .svg, .stl, .obj, .vtu or .csv, or --format for a clump "
+                             "in the format of another code");
     }
 }
 

@@ -159,7 +159,7 @@ TEST_F(ShapegenCli, WritesASphereAsOneAndRefusesAnythingElse) {
 
 TEST_F(ShapegenCli, ExportsEveryFormat) {
     ASSERT_EQ(run(profiles + "tablet.profile -q").code, 0);
-    for (const char* name : {"t.svg", "t.stl", "t.vtu", "t.csv"}) {
+    for (const char* name : {"t.svg", "t.stl", "t.vtu", "t.csv", "t.obj"}) {
         const Result result = run("export tablet.tpl -o " + std::string(name));
         EXPECT_EQ(result.code, 0) << result.err;
     }
@@ -171,7 +171,7 @@ TEST_F(ShapegenCli, ExportsEveryFormat) {
     const std::string csv = content(folder_ / "t.csv");
     EXPECT_EQ(csv.rfind("x,y,z,mean_curvature\n", 0), 0U);
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2001);
-    expect_failure(run("export tablet.tpl -o t.docx"), 2, ".svg, .stl, .vtu or .csv");
+    expect_failure(run("export tablet.tpl -o t.docx"), 2, ".svg, .stl, .obj, .vtu or .csv");
     expect_failure(run("export tablet.tpl -o t.stl --shape 1"), 1, "no shape '1'");
 }
 

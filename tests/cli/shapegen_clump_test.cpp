@@ -214,7 +214,7 @@ TEST_F(ShapegenClump, WritesTheFilesOfOtherCodes) {
               std::string::npos);
     EXPECT_NE(run("export out.tpl -o x --format yade --density -1").errors.find("density above 0"),
               std::string::npos);
-    EXPECT_NE(run("export out.tpl -o x.docx").errors.find("expected .csv, .vtu"),
+    EXPECT_NE(run("export out.tpl -o x.docx").errors.find("expected .svg, .stl"),
               std::string::npos);
 }
 
