@@ -210,6 +210,12 @@ double parse_quantity(std::string_view text, Dimension dimension) {
     return si;
 }
 
+LengthUnit length_unit(double size) {
+    if (size < 1e-4) return {"um", 1e-6};
+    if (size < 0.5) return {"mm", 1e-3};
+    return {"m", 1.0};
+}
+
 std::string nearest_word(std::string_view word, std::span<const std::string> candidates) {
     // A third of the letters may be wrong: "restitutoin" is helped, "foo" is not told "mu".
     const std::size_t longest = 2 * std::max<std::size_t>(1, (word.size() + 1) / 3);

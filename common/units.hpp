@@ -30,6 +30,15 @@ double unit_factor(std::string_view unit, Dimension dimension);
 /// trailing text. Returns SI. Throws Error that says what was found and what was expected.
 double parse_quantity(std::string_view text, Dimension dimension);
 
+/// The unit that lengths are written in for a reader.
+struct LengthUnit {
+    std::string name;
+    double meters;
+};
+
+/// um, mm or m, by the size of the body that is described [m].
+LengthUnit length_unit(double size);
+
 /// The candidate nearest to `word` by edit distance (upper and lower case count as half an edit),
 /// the first of equals, or "" when none is near enough to suggest.
 std::string nearest_word(std::string_view word, std::span<const std::string> candidates);

@@ -2,6 +2,7 @@
 #include "formats/template_summary.hpp"
 
 #include "common/format.hpp"
+#include "common/units.hpp"
 #include "formats/certificate_text.hpp"
 #include "formats/template_header.hpp"
 
@@ -84,6 +85,7 @@ Json json_of(const ParticleTemplate& shape) {
             {"bounding_radius", shape.bounding_radius},
             {"mean_squared_surface_distance", shape.mean_squared_surface_distance},
             {"convex", shape.is_convex},
+            {"input_unit", shape.input_unit},
             {"counts",
              {{"nodes", n.nodes},
               {"spheres", n.spheres},
@@ -93,10 +95,11 @@ Json json_of(const ParticleTemplate& shape) {
             {"certificate", certificate_json(shape.certificate)}};
 }
 
-std::string core_text(const ConvexShape& shape) {
-    const std::string rounding =
-        shape.rounding > 0.0 ? format(", and all within %.6g mm of it\n", 1e3 * shape.rounding)
-                             : std::string("\n");
+std::string core_text(const ConvexShape& shape, const LengthUnit& unit) {
+    const std::string rounding = shape.rounding > 0.0
+                                     ? format(", and all within %.6g %s of it\n",
+                                              shape.rounding / unit.meters, unit.name.c_str())
+                                     : std::string("\n");
     switch (shape.core) {
         case ConvexShape::Core::ellipsoid:
             return "  core              ellipsoid" + rounding;
@@ -112,26 +115,38 @@ std::string core_text(const ConvexShape& shape) {
            rounding;
 }
 
-std::string text_of(const ParticleTemplate& shape) {
+/// Volume, place, orientation, moments, size.
+std::string mass_text(const ParticleTemplate& shape, const LengthUnit& unit) {
     const MassProperties& mass = shape.mass_properties;
+    const char* name = unit.name.c_str();
+    std::string text = format("  volume            %.7g %s^3 (sphere of equal volume: %.6g %s)\n",
+                              mass.volume / cube(unit.meters), name,
+                              equivalent_diameter(mass.volume) / unit.meters, name);
+    // What rounding leaves of a zero is shown as zero; --json has every digit.
+    const auto shown = [](double x, double size) { return std::abs(x) < 1e-12 * size ? 0.0 : x; };
     const Vec3& c = mass.center_of_mass;
+    const auto place = [&](double x) { return shown(x, shape.bounding_radius) / unit.meters; };
+    text += format("  center of mass    %.6g %.6g %.6g %s, in the input's frame\n", place(c.x()),
+                   place(c.y()), place(c.z()), name);
+    const Quat& q = mass.principal_axes;
+    text +=
+        format("  rotation          %.6g %.6g %.6g %.6g (w x y z), from body to input's frame\n",
+               shown(q.w(), 1.0), shown(q.x(), 1.0), shown(q.y(), 1.0), shown(q.z(), 1.0));
     const Vec3& moments = mass.principal_moments_per_density;
+    text += format("  principal moments %.7g %.7g %.7g m^5, times the density\n", moments.x(),
+                   moments.y(), moments.z());
+    return text +
+           format("  bounding radius   %.6g %s\n", shape.bounding_radius / unit.meters, name);
+}
+
+std::string text_of(const ParticleTemplate& shape) {
+    const LengthUnit unit = length_unit(2.0 * shape.bounding_radius);
     const Counts n = counts(shape);
     const auto* convex = std::get_if<ConvexShape>(&shape.shape);
     std::string text = shape.name + ": " + kind_name(shape);
     text += convex != nullptr ? "\n" : shape.is_convex ? ", convex\n" : ", not convex\n";
-    if (convex != nullptr) text += core_text(*convex);
-    text += format("  volume            %.7g mm^3 (sphere of equal volume: %.6g mm)\n",
-                   1e9 * mass.volume, 1e3 * equivalent_diameter(mass.volume));
-    // What rounding leaves of a zero is shown as zero; --json has every digit.
-    const auto shown = [&](double x) {
-        return std::abs(x) < 1e-12 * shape.bounding_radius ? 0.0 : 1e3 * x;
-    };
-    text += format("  center of mass    %.6g %.6g %.6g mm, in the input's frame\n", shown(c.x()),
-                   shown(c.y()), shown(c.z()));
-    text += format("  principal moments %.7g %.7g %.7g m^5, times the density\n", moments.x(),
-                   moments.y(), moments.z());
-    text += format("  bounding radius   %.6g mm\n", 1e3 * shape.bounding_radius);
+    if (convex != nullptr) text += core_text(*convex, unit);
+    text += mass_text(shape, unit);
     if (std::holds_alternative<Clump>(shape.shape))
         text += format("  spheres           %" PRIu64 "\n", n.spheres);
     if (n.nodes > 0) text += format("  surface nodes     %" PRIu64 "\n", n.nodes);
@@ -153,8 +168,13 @@ std::string range_text(const TemplateFile& file) {
         file.shapes.begin(), file.shapes.end(), [](const auto& a, const auto& b) {
             return a.mass_properties.volume < b.mass_properties.volume;
         });
-    return format("volumes from %.6g m^3 (%s) to %.6g m^3 (%s)\n", smallest->mass_properties.volume,
-                  smallest->name.c_str(), largest->mass_properties.volume, largest->name.c_str());
+    const LengthUnit unit = length_unit(2.0 * largest->bounding_radius);
+    const auto volume = [&](const ParticleTemplate& shape) {
+        return shape.mass_properties.volume / cube(unit.meters);
+    };
+    return format("volumes from %.6g %s^3 (%s) to %.6g %s^3 (%s)\n", volume(*smallest),
+                  unit.name.c_str(), smallest->name.c_str(), volume(*largest), unit.name.c_str(),
+                  largest->name.c_str());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "common/error.hpp"
 #include "common/format.hpp"
 #include "common/progress.hpp"
+#include "common/units.hpp"
 #include "formats/clump_export.hpp"
 #include "formats/profile_file.hpp"
 #include "formats/template_reader.hpp"
@@ -155,14 +156,16 @@ void run(const GenerateCommand& command, std::ostream& out) {
     const LibrarySummary made = generate_library(request, command.output);
     if (command.is_quiet) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const LengthUnit unit = length_unit(equivalent_diameter(made.mean));
+    const double cubed = cube(unit.meters);
     out << format(
-        "%s: %llu shapes of %.1f vertices on average, volumes %.4g to %.4g mm^3, mean "
+        "%s: %llu shapes of %.1f vertices on average, volumes %.4g to %.4g %s^3, mean "
         "%.4g\n  %llu slivers that the rounding does not fit drawn again\n"
         "  rounded bodies within %.2g d_eq of their polyhedra, of equal volume\n"
         "  %.0f KB in %.2f s\n",
         command.output.string().c_str(), static_cast<unsigned long long>(command.count),
-        made.mean_vertices, 1e9 * made.smallest, 1e9 * made.largest, 1e9 * made.mean,
-        static_cast<unsigned long long>(made.redrawn), made.surface_deviation,
+        made.mean_vertices, made.smallest / cubed, made.largest / cubed, unit.name.c_str(),
+        made.mean / cubed, static_cast<unsigned long long>(made.redrawn), made.surface_deviation,
         1e-3 * static_cast<double>(std::filesystem::file_size(command.output)), seconds.count());
 }
 

@@ -2,9 +2,9 @@
 #include "shapegen/picture/clump_picture.hpp"
 
 #include "common/math/rotation.hpp"
+#include "common/units.hpp"
 #include "shapegen/picture/clump_surface.hpp"
 #include "shapegen/picture/cross_section_panel.hpp"
-#include "shapegen/picture/shape_picture.hpp"
 
 #include <algorithm>
 #include <array>

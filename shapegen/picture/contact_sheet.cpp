@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/picture/contact_sheet.hpp"
 
-#include "shapegen/picture/shape_picture.hpp"
+#include "common/units.hpp"
 #include "shapegen/picture/svg_page.hpp"
 
 #include <algorithm>

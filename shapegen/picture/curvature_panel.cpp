@@ -2,7 +2,7 @@
 #include "shapegen/picture/curvature_panel.hpp"
 
 #include "common/math/elementary.hpp"
-#include "shapegen/picture/shape_picture.hpp"
+#include "common/units.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/picture/shape_picture.hpp"
 
+#include "common/units.hpp"
 #include "shapegen/picture/cross_section_panel.hpp"
 #include "shapegen/picture/curvature_panel.hpp"
 #include "shapegen/picture/svg_page.hpp"
@@ -8,12 +9,6 @@
 #include <cmath>
 
 namespace dem {
-
-LengthUnit length_unit(double size) {
-    if (size < 1e-4) return {"um", 1e-6};
-    if (size < 0.5) return {"mm", 1e-3};
-    return {"m", 1.0};
-}
 
 std::string shape_picture(const ParticleTemplate& shape, const SrShape& sr) {
     SvgPage page(1240.0, 720.0);

@@ -12,11 +12,4 @@ namespace dem {
 /// beside it the mean curvature along the profile.
 std::string shape_picture(const ParticleTemplate& shape, const SrShape& sr);
 
-/// The unit lengths are written in, chosen by the size of the body: "um", "mm" or "m".
-struct LengthUnit {
-    std::string name;
-    double meters;
-};
-LengthUnit length_unit(double size);
-
 }  // namespace dem

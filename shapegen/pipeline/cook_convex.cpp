@@ -5,6 +5,7 @@
 #include "common/format.hpp"
 #include "common/shapes/convex_moments.hpp"
 #include "common/state_hash.hpp"
+#include "common/units.hpp"
 #include "formats/memory_map.hpp"
 #include "shapegen/convex/convex_display.hpp"
 #include "shapegen/convex/fewer_vertices.hpp"
@@ -42,11 +43,13 @@ void finish(CookedConvex& cooked, ConvexSolid solid, std::string name, Certifica
     for (auto& entry : hull) cooked.shape.certificate.push_back(std::move(entry));
     cooked.shape.certificate.emplace_back("display_mesh_error_max", display.max_deviation / d_eq);
     cooked.shape.display_mesh = std::move(display);
-    if (rounding > 0.0 && retreat > 0.0)
-        cooked.lines.push_back(
-            format("rounded with a radius of %.4g mm, which takes %.2g %% of the volume and moves "
-                   "corners in by %.3g mm at most",
-                   1e3 * rounding, 1e2 * loss, 1e3 * retreat));
+    if (rounding <= 0.0 || retreat <= 0.0) return;
+    const LengthUnit unit = length_unit(d_eq);
+    cooked.lines.push_back(
+        format("rounded with a radius of %.4g %s, which takes %.2g %% of the volume and moves "
+               "corners in by %.3g %s at most",
+               rounding / unit.meters, unit.name.c_str(), 1e2 * loss, retreat / unit.meters,
+               unit.name.c_str()));
 }
 
 CookedConvex cook_file(const std::filesystem::path& path, const ConvexRequest& request,

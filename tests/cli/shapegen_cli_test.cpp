@@ -148,6 +148,35 @@ TEST_F(ShapegenCli, ScalesEveryKindOfInput) {
     expect_failure(run("ball.profile --scale 0"), 2, "a number above 0");
 }
 
+TEST_F(ShapegenCli, InspectWritesLengthsInAUnitThatSuitsTheBody) {
+    const auto described = [this](const std::string& profile) {
+        write("a.profile", profile);
+        return run("a.profile --sphere").out;
+    };
+    const std::string asteroid = described("shape = sphere\nradius = 250\n");
+    EXPECT_NE(asteroid.find("equal volume: 500 m)"), std::string::npos) << asteroid;
+    EXPECT_NE(asteroid.find("bounding radius   250 m\n"), std::string::npos) << asteroid;
+    const std::string bead = described("units = mm\nshape = sphere\nradius = 2\n");
+    EXPECT_NE(bead.find("33.51032 mm^3 (sphere of equal volume: 4 mm)"), std::string::npos) << bead;
+    const std::string spore = described("units = um\nshape = sphere\nradius = 3\n");
+    EXPECT_NE(spore.find("bounding radius   3 um\n"), std::string::npos) << spore;
+}
+
+TEST_F(ShapegenCli, InspectPrintsTheRotationFromTheBodyToTheInput) {
+    // The longest side has the least moment, which is first: x of the body is z of the input.
+    write("box.convex", "units = mm\nshape = cuboid\nlength = 2\nwidth = 4\nheight = 6\n");
+    EXPECT_EQ(run("box.convex -q").code, 0);
+    const std::string text = run("inspect box.tpl").out;
+    const std::size_t at = text.find("  rotation          ");
+    ASSERT_NE(at, std::string::npos) << text;
+    std::istringstream words(text.substr(at + 20));
+    Quat printed;
+    words >> printed.w() >> printed.x() >> printed.y() >> printed.z();
+    const Quat stored = read_template(folder_ / "box.tpl").shapes[0].mass_properties.principal_axes;
+    EXPECT_LT((printed.coeffs() - stored.coeffs()).norm(), 1e-5);
+    EXPECT_NE(text.find("from body to input's frame"), std::string::npos);
+}
+
 TEST_F(ShapegenCli, WritesASphereAsOneAndRefusesAnythingElse) {
     write("ball.profile", "units = mm\nshape = sphere\nradius = 2\n");
     EXPECT_EQ(run("ball.profile --sphere -q").code, 0);

@@ -90,7 +90,7 @@ TEST(TemplateSummary, TheTextShowsEveryShapeOfASmallFileAndTheRangeOfALibrary) {
     }
     const std::string text = template_text(file);
     EXPECT_NE(text.find("24 shapes"), std::string::npos) << text;
-    EXPECT_NE(text.find("(tetrahedron) to 3.8"), std::string::npos) << text;
+    EXPECT_NE(text.find("(tetrahedron) to 38792.4 mm^3"), std::string::npos) << text;
     EXPECT_EQ(text.find("s5"), std::string::npos);
 }
 
