@@ -34,6 +34,7 @@ constexpr std::array entries = {
     Entry{"coverage", "", "part of the volume inside the spheres"},
     Entry{"outside", "", "  volume of the spheres outside of the shape, over that of the shape"},
     Entry{"ceiling", "", "  the largest part that inscribed candidates could cover"},
+    Entry{"components", "", "number of pieces that do not touch each other"},
     Entry{"volume_ratio", "", "volume of the union of the spheres over that of the shape"},
     Entry{"rms_deviation", "d_eq",
           "surface of the spheres against that of the shape, root mean square"},

@@ -4,7 +4,7 @@
 namespace dem {
 
 Certificate clump_certificate(const BuiltClump& clump, const MassBalance& masses,
-                              double display_mesh_error) {
+                              std::size_t components, double display_mesh_error) {
     const ClumpQuality& q = clump.quality;
     return {{"coverage", q.coverage},
             {"outside", q.outside},
@@ -17,6 +17,7 @@ Certificate clump_certificate(const BuiltClump& clump, const MassBalance& masses
             {"moment_errors_z", q.moment_errors.z()},
             {"slope_rms", q.slope_rms * 180.0 / pi},
             {"ceiling", clump.ceiling},
+            {"components", static_cast<double>(components)},
             {"mass_tolerance", masses.tolerance},
             {"mass_product_tolerance", masses.product_tolerance},
             {"mass_center_tolerance", masses.center_tolerance},

@@ -18,11 +18,12 @@ namespace dem {
 ///   moment_errors_x, _y, _z   of the union's moments about the body axes, relative
 ///   slope_rms           angle between the normals of body and union [deg]
 ///   ceiling             coverage that all candidate spheres reach together
+///   components          number of pieces that do not touch each other
 ///   mass_tolerance      by which the moments of the spheres' masses differ from the body's
 ///   mass_product_tolerance    by which their products of inertia differ from 0, of the mean moment
 ///   mass_center_tolerance     by which their center differs along an axis
 ///   display_mesh_error_max    of the display mesh
 Certificate clump_certificate(const BuiltClump& clump, const MassBalance& masses,
-                              double display_mesh_error);
+                              std::size_t components, double display_mesh_error);
 
 }  // namespace dem

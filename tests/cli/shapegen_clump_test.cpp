@@ -316,6 +316,35 @@ TEST_F(ShapegenClump, SaysWhatCanBeReachedWhereTheGoalCannot) {
                    "smaller --min-radius");
 }
 
+TEST_F(ShapegenClump, SaysWhatKeepsAFitFromTheVolumeOfTheBody) {
+    // A thin plate: balls no thicker than it and its 1 % leave most of it empty.
+    write("plate.off", boxes({{Vec3::Zero(), Vec3(40, 40, 4)}}));
+    const auto note = [this](const std::string& options) {
+        const Outcome said = run("plate.off --clump-spheres 30 -o said.tpl" + options + coarse);
+        EXPECT_EQ(said.code, 0) << said.errors;
+        const std::size_t at = said.output.find("plate.off: the spheres have ");
+        return at == std::string::npos ? std::string()
+                                       : said.output.substr(at, said.output.find('\n', at) - at);
+    };
+    const std::string tight = note("");
+    EXPECT_NE(tight.find("% of the volume of the body"), std::string::npos) << tight;
+    EXPECT_NE(tight.find("more than 1 % of d_eq (--protrusion)"), std::string::npos) << tight;
+    // Nothing is said where the volume is met, or where no sphere was to stand out.
+    EXPECT_EQ(note(" --inscribed"), "");
+    write("plate.off", box());
+    EXPECT_EQ(note(" --protrusion 5%"), "");
+}
+
+TEST_F(ShapegenClump, CountsThePiecesThatDoNotTouch) {
+    // Two cylinders on a thread, which takes smaller spheres than the two largest.
+    write("neck.profile", "units = mm\nstart 0 -3\nline 1 -3 1 -1 0.05 -1 0.05 1 1 1 1 3 0 3\n");
+    EXPECT_EQ(entry(cook("neck.profile --clump-spheres 2" + coarse), "components"), 2.0);
+    EXPECT_NE(run("neck.profile --clump-spheres 2" + coarse)
+                  .output.find("the spheres form 2 pieces that do not touch each other"),
+              std::string::npos);
+    EXPECT_EQ(entry(cook(candy + " --clump-spheres 4" + coarse), "components"), 1.0);
+}
+
 TEST_F(ShapegenClump, CooksADiscAThousandTimesWiderThanThick) {
     write("disc.off", boxes({{Vec3::Zero(), Vec3(1000, 1000, 1)}}));
     const ParticleTemplate disc = cook("disc.off --clump-spheres 5" + coarse);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/clump/ball_tree.hpp"
 #include "shapegen/clump/candidates.hpp"
+#include "shapegen/clump/components.hpp"
 #include "shapegen/clump/judge.hpp"
 #include "shapegen/clump/mass_balance.hpp"
 #include "shapegen/clump/sample_blocks.hpp"
@@ -38,6 +39,36 @@ TEST(Candidates, AreInsideAndTouchTheSurface) {
             EXPECT_GT(ball.radius, 0.05);
         }
     }
+}
+
+TEST(Components, AreThoseThatALoopOverAllPairsFinds) {
+    for (const std::size_t count : {1U, 7U, 40U, 300U}) {
+        // Sparse enough for many pieces.
+        std::vector<Ball> balls = test::random_balls(count, 50 + count);
+        for (Ball& ball : balls) ball.radius *= 0.3;
+        std::vector<ClumpSphere> spheres;
+        for (const Ball& b : balls)
+            spheres.push_back({b.center.x(), b.center.y(), b.center.z(), b.radius, 1.0});
+        // Every ball gets the lowest index that it can be reached from.
+        std::vector<std::size_t> label(count);
+        for (std::size_t i = 0; i < count; ++i) label[i] = i;
+        for (std::size_t round = 0; round < count; ++round)
+            for (std::size_t i = 0; i < count; ++i)
+                for (std::size_t j = 0; j < count; ++j)
+                    if ((balls[i].center - balls[j].center).norm() <=
+                        balls[i].radius + balls[j].radius)
+                        label[i] = label[j] = std::min(label[i], label[j]);
+        std::size_t expected = 0;
+        for (std::size_t i = 0; i < count; ++i)
+            if (label[i] == i) ++expected;
+        EXPECT_EQ(component_count(make_clump(spheres)), expected) << count;
+        EXPECT_TRUE(count != 40U || expected > 3U) << expected;
+    }
+}
+
+TEST(Components, SpheresThatTouchAreOnePiece) {
+    EXPECT_EQ(component_count(make_clump({{0, 0, 0, 0.1, 1}, {0, 0, 0.3, 0.2, 1}})), 1U);
+    EXPECT_EQ(component_count(make_clump({{0, 0, 0, 0.1, 1}, {0, 0, 0.3001, 0.2, 1}})), 2U);
 }
 
 TEST(BallTree, AnswersAsALoopDoes) {
