@@ -53,6 +53,7 @@ constexpr std::array entries = {
     Entry{"hull_excess", "", "volume that the hull adds, over that of the mesh"},
     Entry{"hull_error_max", "d_eq", "hull of the vertices kept against that of all, largest"},
     Entry{"hull_loss", "", "  volume that is missing, relative"},
+    Entry{"core_scale", "", "factor of its lengths, for the volume of the mesh"},
 };
 
 }  // namespace

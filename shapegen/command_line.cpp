@@ -82,7 +82,7 @@ std::string help_text() {
            "  shapegen PROFILE [-o OUT.tpl] [options]\n"
            "  shapegen MESH|PROFILE --clump 0.95 [-o OUT.tpl] [options]\n"
            "  shapegen SHAPE.convex [-o OUT.tpl] [--rounding R]\n"
-           "  shapegen MESH --convex [--vertices N] [--rounding R] [-o OUT.tpl]\n"
+           "  shapegen MESH --convex [--vertices N] [--keep-volume] [--rounding R] [-o OUT.tpl]\n"
            "  shapegen generate sand|woodchips --count N -o OUT.tpl [options]\n"
            "  shapegen inspect FILE.tpl [--json]\n"
            "  shapegen export FILE.tpl -o FILE.{svg,stl,obj,vtu,csv} [--shape NAME|INDEX]\n"

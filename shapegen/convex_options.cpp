@@ -49,8 +49,10 @@ po::options_description convex_options() {
                           "cone or spherocylinder; not needed for a .convex file")(
         "vertices", po::value<std::int64_t>()->value_name("N"),
         "of a mesh's hull keep N vertices, those that matter most")(
-        "rounding", text("R"),
-        "radius of edges and corners: '0.1 mm', or '1%' of d_eq, which is the default");
+        "keep-volume",
+        "scale what the hull, --vertices and the rounding leave to the volume of the "
+        "mesh")("rounding", text("R"),
+                "radius of edges and corners: '0.1 mm', or '1%' of d_eq, which is the default");
     return options;
 }
 
@@ -73,7 +75,7 @@ std::optional<ConvexRequest> read_convex_options(const po::variables_map& values
                                                  const std::filesystem::path& input) {
     const bool is_mesh = is_mesh_file(input);
     if (values.count("convex") == 0 && !is_convex_file(input)) {
-        for (const char* option : {"vertices", "rounding"})
+        for (const char* option : {"vertices", "keep-volume", "rounding"})
             if (values.count(option) != 0)
                 throw UsageError("--" + std::string(option),
                                  "found it without --convex, expected both");
@@ -81,13 +83,14 @@ std::optional<ConvexRequest> read_convex_options(const po::variables_map& values
     }
     ConvexRequest request;
     request.rounding = read_rounding(values);
-    if (values.count("vertices") != 0) {
-        if (!is_mesh)
-            throw UsageError("--vertices",
+    for (const char* option : {"vertices", "keep-volume"})
+        if (values.count(option) != 0 && !is_mesh)
+            throw UsageError("--" + std::string(option),
                              "found it with " + input.string() + ", expected it with a mesh");
+    if (values.count("vertices") != 0)
         request.vertices =
             static_cast<std::size_t>(whole_number(values, "vertices", 4, most_vertices));
-    }
+    request.keeps_volume = values.count("keep-volume") != 0;
     return request;
 }
 

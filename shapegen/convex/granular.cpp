@@ -6,6 +6,7 @@
 #include "common/random.hpp"
 #include "common/shapes/convex_moments.hpp"
 #include "shapegen/convex/convex_display.hpp"
+#include "shapegen/convex/core_scale.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -114,25 +115,6 @@ ConvexPolyhedron core_of(const ConvexPolyhedron& hull, double rounding) {
         nearest.emplace_back(v - d.distance * d.normal);
     }
     return convex_hull(nearest);
-}
-
-/// The scale s at which the body around the core s C has the volume wanted. By Steiner's formula
-/// V(s) = s^3 V + s^2 A r + s M r^2 + 4/3 pi r^3.
-double core_scale(const ConvexPolyhedron& core, double rounding, double volume) {
-    const ConvexMoments sharp = convex_moments(rounded_around(core, 0.0));
-    const double ball = 4.0 / 3.0 * pi * cube(rounding);
-    const double slabs = sharp.area * rounding;
-    const double at_one = convex_moments(rounded_around(core, rounding)).volume;
-    const double edges = at_one - sharp.volume - slabs - ball;
-    double s = 2.0;  // above the root; the cubic is convex: Newton's method falls towards it
-    for (int k = 0; k < 50; ++k) {
-        const double value = ((s * sharp.volume + slabs) * s + edges) * s + ball - volume;
-        const double slope = (3.0 * s * sharp.volume + 2.0 * slabs) * s + edges;
-        const double next = s - value / slope;
-        if (!(next < s)) break;
-        s = next;
-    }
-    return s;
 }
 
 /// Largest distance from the surface of the polyhedron to that of the rounded body, both in the

@@ -8,11 +8,13 @@
 #include "common/units.hpp"
 #include "formats/memory_map.hpp"
 #include "shapegen/convex/convex_display.hpp"
+#include "shapegen/convex/core_scale.hpp"
 #include "shapegen/convex/fewer_vertices.hpp"
 #include "shapegen/import/mesh_file.hpp"
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -65,6 +67,38 @@ CookedConvex cook_file(const std::filesystem::path& path, const ConvexRequest& r
     return cooked;
 }
 
+/// The hull of a mesh on its way to a rounded body, about the hull's center.
+struct MeshHull {
+    ConvexPolyhedron hull, core;
+    Vec3 center;            ///< in the frame of the mesh [m]
+    double volume;          ///< of the hull [m^3]
+    double rounding;        ///< [m]
+    double rounded_volume;  ///< of the core with its rounding [m^3]
+};
+
+MeshHull hull_of(const TriangleMesh& mesh, const std::optional<Rounding>& rounding) {
+    MeshHull result{convex_hull(mesh.vertices), {}, {}, 0.0, 0.0, 0.0};
+    // About its center: no differences of large moments.
+    result.center = sharp_solid(result.hull).mass_properties.center_of_mass;
+    for (Vec3& v : result.hull.vertices) v -= result.center;
+    const ConvexSolid sharp = sharp_solid(result.hull);
+    result.volume = sharp.mass_properties.volume;
+    result.rounding =
+        rounding ? rounding->radius(result.volume) : default_rounding(sharp.shape, result.volume);
+    result.core = eroded(result.hull, result.rounding);
+    result.rounded_volume = volume_of(result.core, result.rounding);
+    return result;
+}
+
+/// Scales a core about the center of mass of the body around it, so that this body has a volume.
+double scale_to(double volume, double rounding, ConvexPolyhedron& core) {
+    const double scale = core_scale(core, rounding, volume);
+    const Vec3 center =
+        with_mass_properties(rounded_around(core, rounding)).mass_properties.center_of_mass;
+    for (Vec3& v : core.vertices) v = center + scale * (v - center);
+    return scale;
+}
+
 CookedConvex cook_mesh(const std::filesystem::path& path, const ConvexRequest& request,
                        const MeshLoadOptions& options) {
     LoadedMesh loaded = load_mesh(path, options);
@@ -74,40 +108,44 @@ CookedConvex cook_mesh(const std::filesystem::path& path, const ConvexRequest& r
     cooked.hash = hash.value();
     cooked.lines = std::move(loaded.lines);
 
-    ConvexPolyhedron hull = convex_hull(loaded.mesh.vertices);
-    // About its center: no differences of large moments.
-    const Vec3 center = sharp_solid(hull).mass_properties.center_of_mass;
-    for (Vec3& v : hull.vertices) v -= center;
-    const ConvexSolid sharp = sharp_solid(hull);
-    const double volume = sharp.mass_properties.volume;
-    const double rounding =
-        request.rounding ? request.rounding->radius(volume) : default_rounding(sharp.shape, volume);
-    const ConvexPolyhedron core = eroded(hull, rounding);
-    const double rounded_volume = volume_of(core, rounding);
-    const FewerVertices fewer =
-        with_fewer_vertices(core, request.vertices.value_or(core.vertices.size()));
+    const double mesh_volume = enclosed_volume(loaded.mesh);
+    const MeshHull full = hull_of(loaded.mesh, request.rounding);
+    const std::size_t vertices = full.core.vertices.size();
+    FewerVertices fewer = with_fewer_vertices(full.core, request.vertices.value_or(vertices));
+    const double loss = 1.0 - volume_of(fewer.solid, full.rounding) / full.rounded_volume;
+    const double scale =
+        request.keeps_volume ? scale_to(mesh_volume, full.rounding, fewer.solid) : 1.0;
+    ConvexSolid solid = with_mass_properties(rounded_around(fewer.solid, full.rounding));
+    if (full.rounding > 0.0) solid.rounding_loss = 1.0 - full.rounded_volume / full.volume;
+    solid.corner_retreat = farthest_outside(
+        with_mass_properties(rounded_around(full.core, full.rounding)), full.hull.vertices);
+    solid.mass_properties.center_of_mass += full.center;
 
-    const ConvexSolid full = with_mass_properties(rounded_around(core, rounding));
-    ConvexSolid solid = with_mass_properties(rounded_around(fewer.solid, rounding));
-    if (rounding > 0.0) solid.rounding_loss = 1.0 - rounded_volume / volume;
-    solid.corner_retreat = farthest_outside(full, hull.vertices);
-    solid.mass_properties.center_of_mass += center;
     const double d_eq = solid.shape.equivalent_diameter;
-    const double excess = volume / enclosed_volume(loaded.mesh) - 1.0;
-    const double loss = 1.0 - solid.mass_properties.volume / rounded_volume;
+    const double excess = full.volume / mesh_volume - 1.0;
+    const double ratio = solid.mass_properties.volume / mesh_volume;
     cooked.lines.push_back(
         format("hull of %zu vertices and %zu faces, which adds %.3g %% to the "
                "volume of the mesh",
-               hull.vertices.size(), hull.faces.size(), 1e2 * excess));
-    if (fewer.solid.vertices.size() < core.vertices.size())
+               full.hull.vertices.size(), full.hull.faces.size(), 1e2 * excess));
+    if (fewer.solid.vertices.size() < vertices)
+        cooked.lines.push_back(format(
+            "core of %zu of %zu vertices: at most %.3g %% of d_eq inside "
+            "the full one, %.3g %% less volume",
+            fewer.solid.vertices.size(), vertices, 1e2 * fewer.error_max / d_eq, 1e2 * loss));
+    constexpr double noted = 0.02;  // of the volume
+    if (request.keeps_volume)
         cooked.lines.push_back(
-            format("core of %zu of %zu vertices: at most %.3g %% of d_eq inside "
-                   "the full one, %.3g %% less volume",
-                   fewer.solid.vertices.size(), core.vertices.size(), 1e2 * fewer.error_max / d_eq,
-                   1e2 * loss));
-    finish(
-        cooked, std::move(solid), path.stem().string(),
-        {{"hull_excess", excess}, {"hull_error_max", fewer.error_max / d_eq}, {"hull_loss", loss}});
+            format("core scaled by %.5g: the body has the volume of the mesh", scale));
+    else if (std::abs(ratio - 1.0) > noted)
+        cooked.lines.push_back(format(
+            "the body has %.4g %% of the volume of the mesh, to which --keep-volume scales it",
+            1e2 * ratio));
+    finish(cooked, std::move(solid), path.stem().string(),
+           {{"hull_excess", excess},
+            {"hull_error_max", fewer.error_max / d_eq},
+            {"hull_loss", loss},
+            {"core_scale", scale}});
     cooked.shape.input_unit = loaded.unit;
     return cooked;
 }

@@ -122,6 +122,35 @@ TEST_F(ShapegenConvex, KeepsTheVerticesOfTheBunnyThatMatterMost) {
     EXPECT_NEAR(certificate(full).at("hull_excess"), 0.657, 0.001);
 }
 
+TEST_F(ShapegenConvex, KeepsTheVolumeOfTheMeshWhateverHullVerticesAndRoundingDoToIt) {
+    write("l.off", l_shape());
+    for (const char* options : {"", " --rounding 0%", " --rounding '50 mm' --vertices 6"}) {
+        const std::string command = "l.off --convex --unit m" + std::string(options);
+        const ParticleTemplate plain = cook(command);
+        const ParticleTemplate kept = cook(command + " --keep-volume");
+        EXPECT_NEAR(kept.mass_properties.volume, 3.0, 1e-11) << options;
+        // Of the same shape about the same center, its rounding the one asked for.
+        const auto& before = std::get<ConvexShape>(plain.shape);
+        const auto& after = std::get<ConvexShape>(kept.shape);
+        EXPECT_EQ(after.rounding, before.rounding);
+        EXPECT_EQ(after.vertices.size(), before.vertices.size());
+        const double scale = certificate(kept).at("core_scale");
+        EXPECT_EQ(certificate(plain).at("core_scale"), 1.0);
+        for (std::size_t k = 0; k < after.vertices.size(); ++k)
+            EXPECT_NEAR(after.vertices[k].norm(), scale * before.vertices[k].norm(), 0.02) << k;
+        EXPECT_LT(
+            (kept.mass_properties.center_of_mass - plain.mass_properties.center_of_mass).norm(),
+            0.01);
+    }
+    const Outcome said = run("l.off --convex --unit m --rounding 0%");
+    EXPECT_NE(said.output.find("the body has 116.7 % of the volume of the mesh, to which "
+                               "--keep-volume"),
+              std::string::npos)
+        << said.output;
+    EXPECT_NE(run("l.off --convex --unit m --keep-volume").output.find("core scaled by 0.9"),
+              std::string::npos);
+}
+
 TEST_F(ShapegenConvex, GeneratesTheSameLibraryForAnyNumberOfThreads) {
     const std::string command = "generate sand --count 300 --seed 4";
     cook(command, "OMP_NUM_THREADS=1 ");
@@ -167,6 +196,8 @@ TEST_F(ShapegenConvex, RefusesAWrongCommandLine) {
     write("ball.off", off_file(sample::sphere(1.0, 1)));
     write("ball.convex", "shape = sphere\nradius = 1 mm\n");
     expect_failure("ball.off --vertices 20", 2, "without --convex");
+    expect_failure("ball.off --keep-volume", 2, "without --convex");
+    expect_failure("ball.convex --keep-volume", 2, "expected it with a mesh");
     expect_failure("ball.off --convex --clump 0.9", 2, "expected one of them");
     expect_failure("ball.off --convex --vertices 3", 2, "expected 4 to");
     expect_failure("ball.off --convex --rounding 0.1", 2, "a length with its unit");
