@@ -50,6 +50,7 @@ constexpr std::array entries = {
     Entry{"rounding", "d_eq", "radius of edges and corners"},
     Entry{"rounding_loss", "", "volume that the rounding took, over that of the sharp body"},
     Entry{"corner_retreat", "d_eq", "how far the rounding moved the sharpest corner in"},
+    Entry{"facet_error_max", "d_eq", "facets against the curved surface that they stand for"},
     Entry{"hull_excess", "", "volume that the hull adds, over that of the mesh"},
     Entry{"hull_error_max", "d_eq", "hull of the vertices kept against that of all, largest"},
     Entry{"hull_loss", "", "  volume that is missing, relative"},

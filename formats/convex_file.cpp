@@ -2,11 +2,13 @@
 #include "formats/convex_file.hpp"
 
 #include "common/error.hpp"
+#include "common/shapes/make_oblong.hpp"
 #include "common/state_hash.hpp"
 #include "formats/shape_parameters.hpp"
 #include "formats/text_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <span>
 
@@ -100,6 +102,23 @@ ConvexSolid polyhedron(const Parameters& p, double rounding) {
     return make_convex_polyhedron(corners, rounding);
 }
 
+ConvexSolid oblong(const Parameters& p, double rounding) {
+    OblongTablet tablet{p.length("length"), p.length("width"), p.length("band_height")};
+    if (!(tablet.width < tablet.length)) p.fail("width", "less than the length");
+    if (p.has("cap_height")) tablet.cap_height = p.length_or_zero("cap_height");
+    if (tablet.cap_height > 0.5 * tablet.width)
+        p.fail("cap_height", "a cap no higher than half the width");
+    if (p.has("sides")) {
+        const double sides = p.number("sides");
+        if (!(sides >= 4.0 && sides <= 64.0 && sides == std::floor(sides)))
+            p.fail("sides", "a whole number from 4 to 64");
+        tablet.sides = static_cast<int>(sides);
+    }
+    ConvexSolid solid = make_oblong(tablet, rounding);
+    solid.facet_error = facet_error(tablet);
+    return solid;
+}
+
 const std::vector<NamedConvex>& shapes() {
     static const std::vector<NamedConvex> list{
         {"sphere", {"radius", "diameter"}, false, sphere},
@@ -109,6 +128,10 @@ const std::vector<NamedConvex>& shapes() {
         {"cuboid", {"length", "width", "height", "rounding"}, true, cuboid},
         {"capsule", {"radius", "diameter", "length"}, false, capsule},
         {"disc", {"radius", "diameter", "thickness"}, false, disc},
+        {"oblong",
+         {"length", "width", "band_height", "cap_height", "sides", "rounding"},
+         true,
+         oblong},
         {"polyhedron", {"rounding"}, true, polyhedron}};
     return list;
 }

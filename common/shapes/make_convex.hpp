@@ -23,6 +23,8 @@ struct ConvexSolid {
     double rounding_loss = 0.0;
     /// How far the farthest corner of the sharp body lies outside of the rounded one [m].
     double corner_retreat = 0.0;
+    /// How far facets are from the curved surface that they stand for [m].
+    double facet_error = 0.0;
 };
 
 /// How far the farthest of the points, in the frame of the solid's input, lies outside of it [m].

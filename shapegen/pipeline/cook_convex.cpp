@@ -37,11 +37,13 @@ void finish(CookedConvex& cooked, ConvexSolid solid, std::string name, Certifica
     const double d_eq = solid.shape.equivalent_diameter;
     const double loss = solid.rounding_loss;
     const double retreat = solid.corner_retreat;
+    const double facets = solid.facet_error;
     DisplayMesh display = convex_display_mesh(solid.shape, display_tolerance * d_eq);
     cooked.shape = convex_template(std::move(solid), std::move(name));
     const double rounding = std::get<ConvexShape>(cooked.shape.shape).rounding;
     cooked.shape.certificate = {
         {"rounding", rounding / d_eq}, {"rounding_loss", loss}, {"corner_retreat", retreat / d_eq}};
+    if (facets > 0.0) cooked.shape.certificate.emplace_back("facet_error_max", facets / d_eq);
     for (auto& entry : hull) cooked.shape.certificate.push_back(std::move(entry));
     cooked.shape.certificate.emplace_back("display_mesh_error_max", display.max_deviation / d_eq);
     cooked.shape.display_mesh = std::move(display);

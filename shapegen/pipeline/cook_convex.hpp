@@ -38,6 +38,7 @@ bool is_convex_file(const std::filesystem::path& path);
 ///   rounding               radius of the sphere around the core
 ///   rounding_loss          of the sharp body's volume
 ///   corner_retreat         distance of the rounded body from the sharpest corner
+///   facet_error_max        distance of facets from the curved surface they stand for (oblong)
 ///   hull_excess            volume that the hull adds to the mesh (meshes)
 ///   hull_error_max         distance of the farthest vertex left out (meshes)
 ///   hull_loss              volume that goes with the vertices left out (meshes)

@@ -41,6 +41,64 @@ void expect_message(const std::string& text, const std::string& place, const std
 
 const std::string cuboid = "units = mm\nshape = cuboid\nlength = 6\nwidth = 5\nheight = 4\n";
 
+TEST(ConvexFile, AnOblongTabletHasTheExactVolumeOfTheSmoothOne) {
+    for (const double cap : {0.0, 1e-5, 0.4, 1.2, 3.5}) {
+        for (const int sides : {4, 7, 16}) {
+            const std::string text =
+                "units=mm\nshape=oblong\nlength=16\nwidth=7\nband_height=3\n"
+                "rounding=0\ncap_height=" +
+                std::to_string(cap) + "\nsides=" + std::to_string(sides);
+            // Layer by layer: each is a stadium. Midpoints in the angle of the cap's surface.
+            const double r = 3.5;
+            const auto stadium = [&](double w) { return pi * w * w + 2.0 * w * (16.0 - 7.0); };
+            double expected = 3.0 * stadium(r);
+            const double sphere = cap > 0.0 ? (r * r + cap * cap) / (2.0 * cap) : 0.0;
+            const double half_angle = cap > 0.0 ? 2.0 * std::atan(cap / r) : 0.0;
+            constexpr int layers = 20'000;
+            for (int k = 0; k < layers && cap > 0.0; ++k) {
+                const double angle = half_angle * (k + 0.5) / layers;
+                const double w = sphere * std::sin(angle);
+                expected += 2.0 * stadium(w) * w * half_angle / layers;
+            }
+            EXPECT_NEAR(volume(text) / (1e-9 * expected), 1.0, 1e-8) << cap << ' ' << sides;
+        }
+    }
+    const std::string flat =
+        "units=mm\nshape=oblong\nlength=10\nwidth=4\nband_height=2\nrounding=0";
+    EXPECT_NEAR(volume(flat) / (2.0e-9 * (4.0 * pi + 4.0 * 6.0)), 1.0, 1e-13);
+}
+
+TEST(ConvexFile, FacetsOfAnOblongTabletComeNearerWithTheSquareOfTheirNumber) {
+    const auto error = [](int sides) {
+        const ConvexSolid solid = parse(
+            "units=mm\nshape=oblong\nlength=16\nwidth=7\nband_height=3\ncap_height=1.2\n"
+            "sides=" +
+            std::to_string(sides));
+        // Heights are exact, whatever the facets.
+        const ConvexSolid sharp = parse(
+            "units=mm\nshape=oblong\nlength=16\nwidth=7\nband_height=3\ncap_height=1.2\n"
+            "rounding=0\nsides=" +
+            std::to_string(sides));
+        const Vec3 up = sharp.mass_properties.principal_axes.conjugate() * Vec3::UnitZ();
+        EXPECT_NEAR(extent(sharp.shape, up), 2.7e-3, 1e-15);
+        EXPECT_NEAR(extent(sharp.shape, -up), 2.7e-3, 1e-15);
+        return solid.facet_error / solid.shape.equivalent_diameter;
+    };
+    EXPECT_LT(error(16), 2e-3);
+    EXPECT_NEAR(error(32) / error(16), 0.25, 0.1);
+}
+
+TEST(ConvexFile, AnOblongTabletThatIsNoneIsRefused) {
+    const std::string start = "units=mm\nshape=oblong\nlength=16\nband_height=3\n";
+    expect_message(start + "width=16", "x.convex:5", "less than the length");
+    expect_message(start + "width=7\ncap_height=3.6", "x.convex:6",
+                   "no higher than half the width");
+    expect_message(start + "width=7\ncap_height=-1", "x.convex:6", "not negative");
+    for (const char* sides : {"3", "65", "16.5", "nan"})
+        expect_message(start + "width=7\nsides=" + sides, "x.convex:6", "");
+    expect_message(start, "x.convex:2", "'width' is missing");
+}
+
 TEST(ConvexFile, AScaleMultipliesLengthsWhateverTheirUnitAndTheFilesOwnRounding) {
     for (const std::string& rounding :
          {std::string(""), std::string("rounding = 0.2\n"), std::string("rounding = 0.2 mm\n"),
