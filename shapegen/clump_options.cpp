@@ -6,8 +6,6 @@
 #include "shapegen/option_values.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 namespace dem {
 
@@ -18,44 +16,15 @@ namespace po = boost::program_options;
 constexpr std::int64_t fewest_voxels = 10;
 constexpr std::int64_t most_voxels = 500;
 
-bool has(const po::variables_map& values, const std::string& option) {
-    return values.count(option) != 0 && !values[option].defaulted();
-}
-
-std::optional<double> plain_number(std::string_view words) {
-    double value = 0.0;
-    const auto [end, problem] = std::from_chars(words.data(), words.data() + words.size(), value);
-    if (problem != std::errc() || end != words.data() + words.size()) return std::nullopt;
-    return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-/// "0.95" or "95%".
-std::optional<double> fraction(std::string_view words) {
-    const bool is_percentage = words.ends_with('%');
-    if (is_percentage) words.remove_suffix(1);
-    const auto value = plain_number(words);
-    return value && is_percentage ? *value / 100.0 : value;
-}
-
-/// A fraction in an open range; `expected` completes "expected ...".
-double fraction_option(const po::variables_map& values, const std::string& option, double above,
-                       double below, const std::string& expected) {
-    const auto words = values[option].as<std::string>();
-    const auto value = fraction(words);
-    if (!value || !(*value > above && *value < below))
-        throw UsageError("--" + option, "found '" + words + "', expected " + expected);
-    return *value;
-}
-
 ClumpGoal read_goal(const po::variables_map& values) {
     ClumpGoal goal;
-    if (has(values, "clump"))
+    if (is_given(values, "clump"))
         goal.coverage = fraction_option(values, "clump", 0.0, 1.0,
                                         "a coverage above 0 and below 1 (0.95 or 95%)");
-    if (has(values, "clump-spheres"))
+    if (is_given(values, "clump-spheres"))
         goal.count = static_cast<std::size_t>(whole_number(
             values, "clump-spheres", 1, static_cast<std::int64_t>(Clump::most_spheres)));
-    if (has(values, "clump-error")) {
+    if (is_given(values, "clump-error")) {
         const std::string expected =
             "an RMS deviation above 0% and below 100% of the equivalent diameter (0.5%)";
         const auto words = values["clump-error"].as<std::string>();
@@ -100,7 +69,7 @@ ClumpRequest read_request(const po::variables_map& values) {
     request.goal = read_goal(values);
     ClumpOptions& options = request.options;
     options.is_inscribed = values.count("inscribed") != 0;
-    if (has(values, "protrusion")) {
+    if (is_given(values, "protrusion")) {
         if (options.is_inscribed)
             throw UsageError("command line",
                              "found --inscribed and --protrusion, expected one of them");
@@ -108,7 +77,7 @@ ClumpRequest read_request(const po::variables_map& values) {
             fraction_option(values, "protrusion", -1e-300, 0.5,
                             "0 or more and below 50 % of the equivalent diameter (1%)");
     }
-    if (has(values, "min-radius")) read_min_radius(values, request);
+    if (is_given(values, "min-radius")) read_min_radius(values, request);
     options.skeleton = read_skeleton(values);
     options.per_diameter =
         static_cast<double>(whole_number(values, "resolution", fewest_voxels, most_voxels));
@@ -141,16 +110,6 @@ po::options_description clump_options() {
     return options;
 }
 
-po::options_description mesh_options() {
-    po::options_description options("Meshes (docs/mesh-import.md)");
-    options.add_options()("unit", text("UNIT"),
-                          "of the file's coordinates: m, mm, um, cm, in; default: mm, m for glTF")(
-        "repair-limit", text("F")->default_value("1%"),
-        "largest part of the volume that repairs may put at stake")(
-        "largest", "of several bodies in a file keep the largest");
-    return options;
-}
-
 std::vector<std::string> clump_modes() {
     return {"clump", "clump-spheres", "clump-error"};
 }
@@ -158,7 +117,7 @@ std::vector<std::string> clump_modes() {
 std::optional<ClumpCommand> read_clump_options(const po::variables_map& values) {
     std::string chosen;
     for (const std::string& mode : clump_modes()) {
-        if (!has(values, mode)) continue;
+        if (!is_given(values, mode)) continue;
         if (!chosen.empty()) {
             std::string found = "found --";
             found.append(chosen).append(" and --").append(mode).append(", expected one of them");
@@ -169,7 +128,7 @@ std::optional<ClumpCommand> read_clump_options(const po::variables_map& values) 
     if (chosen.empty()) {
         for (const char* option :
              {"inscribed", "protrusion", "min-radius", "skeleton", "resolution", "convergence"})
-            if (has(values, option))
+            if (is_given(values, option))
                 throw UsageError("--" + std::string(option),
                                  "found it without --clump, --clump-spheres or --clump-error, "
                                  "expected one of them");
@@ -177,7 +136,7 @@ std::optional<ClumpCommand> read_clump_options(const po::variables_map& values) 
     }
     ClumpCommand command;
     command.request = read_request(values);
-    if (has(values, "convergence")) {
+    if (is_given(values, "convergence")) {
         command.convergence = values["convergence"].as<std::string>();
         const std::string extension = command.convergence.extension().string();
         if (extension != ".csv" && extension != ".svg")
@@ -185,23 +144,6 @@ std::optional<ClumpCommand> read_clump_options(const po::variables_map& values) 
                              "found the extension '" + extension + "', expected .csv or .svg");
     }
     return command;
-}
-
-MeshLoadOptions read_mesh_options(const po::variables_map& values) {
-    MeshLoadOptions options;
-    if (has(values, "unit")) {
-        options.unit = values["unit"].as<std::string>();
-        length_unit_option(values, "unit");
-    }
-    const auto scale = values["scale"].as<std::string>();
-    const auto number = plain_number(scale);
-    if (!number || !(*number > 0.0))
-        throw UsageError("--scale", "found '" + scale + "', expected a number above 0");
-    options.scale = *number;
-    options.repair_limit =
-        fraction_option(values, "repair-limit", -1e-300, 1.0, "0 or more and below 1 (0.01 or 1%)");
-    options.keep_largest = values.count("largest") != 0;
-    return options;
 }
 
 }  // namespace dem

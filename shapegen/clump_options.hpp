@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "shapegen/import/load_mesh.hpp"
 #include "shapegen/pipeline/cook_clump.hpp"
 
 #include <filesystem>
@@ -21,7 +20,6 @@ struct ClumpCommand {
 
 /// For `--help` and the parser.
 boost::program_options::options_description clump_options();
-boost::program_options::options_description mesh_options();
 
 /// Names of the options that choose the kind of a clump's goal, as they are typed.
 std::vector<std::string> clump_modes();
@@ -29,8 +27,5 @@ std::vector<std::string> clump_modes();
 /// Nothing when no clump is asked for. Throws UsageError: two goals, a value out of range, an
 /// option of clumps without one.
 std::optional<ClumpCommand> read_clump_options(const boost::program_options::variables_map& values);
-
-/// Throws UsageError for a value out of range.
-MeshLoadOptions read_mesh_options(const boost::program_options::variables_map& values);
 
 }  // namespace dem

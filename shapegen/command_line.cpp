@@ -6,6 +6,7 @@
 #include "shapegen/clump_options.hpp"
 #include "shapegen/convex_options.hpp"
 #include "shapegen/import/mesh_file.hpp"
+#include "shapegen/mesh_options.hpp"
 #include "shapegen/option_values.hpp"
 
 #include <sstream>
@@ -195,7 +196,7 @@ void check_modes(const po::variables_map& values, const CookCommand& command) {
     if (is_convex_file(command.input) && !found.empty() && found[0] != "convex")
         throw UsageError("--" + found[0], "found it with " + command.input.string() +
                                               ", expected it with a mesh or a profile");
-    if (!command.clump && !command.convex) return;
+    if (std::holds_alternative<CookOptions>(command.recipe)) return;
     for (const char* option : {"nodes", "base-cells", "interface-cells", "corner-cells"})
         if (!values[option].defaulted())
             throw UsageError("--" + std::string(option),
@@ -205,7 +206,7 @@ void check_modes(const po::variables_map& values, const CookCommand& command) {
 /// The options of meshes mean nothing for a profile, which says its unit itself.
 void check_input_kind(const po::variables_map& values, const CookCommand& command) {
     if (is_mesh_file(command.input)) {
-        if (!command.clump && !command.convex)
+        if (std::holds_alternative<CookOptions>(command.recipe))
             throw UsageError(command.input.string(),
                              "found a mesh without a mode, expected --clump C, --clump-spheres N, "
                              "--clump-error E% or --convex");
@@ -226,12 +227,17 @@ Command parse_cook(const Words& words) {
     if (wants_words(values, print)) return print;
     CookCommand command;
     command.input = one_input(values, "a mesh, a .profile or a .convex file");
-    command.clump = read_clump_options(values);
-    command.convex = read_convex_options(values, command.input);
+    const auto clump = read_clump_options(values);
+    const auto convex = read_convex_options(values, command.input);
+    if (clump)
+        command.recipe = *clump;
+    else if (convex)
+        command.recipe = *convex;
+    else
+        command.recipe = read_options(values);
     check_modes(values, command);
     check_input_kind(values, command);
     command.mesh = read_mesh_options(values);
-    command.options = read_options(values);
     command.output = values.count("output") != 0
                          ? template_output(values)
                          : command.input.filename().replace_extension(".tpl");

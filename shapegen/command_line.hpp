@@ -15,9 +15,8 @@ namespace dem {
 /// `shapegen INPUT ...`
 struct CookCommand {
     std::filesystem::path input, output;
-    CookOptions options;
-    std::optional<ClumpCommand> clump;    ///< instead of the options above
-    std::optional<ConvexRequest> convex;  ///< the same
+    /// What is made of the input: a surface of revolution or a sphere, a clump, a convex shape.
+    std::variant<CookOptions, ClumpCommand, ConvexRequest> recipe;
     MeshLoadOptions mesh;
     bool is_quiet = false;
     std::string text;  ///< the whole command line, kept in the template

@@ -4,12 +4,47 @@
 #include "common/error.hpp"
 #include "common/units.hpp"
 
+#include <charconv>
+#include <cmath>
+
 namespace dem {
 
 namespace po = boost::program_options;
 
+namespace {
+
+/// "0.95" or "95%".
+std::optional<double> fraction(std::string_view words) {
+    const bool is_percentage = words.ends_with('%');
+    if (is_percentage) words.remove_suffix(1);
+    const auto value = plain_number(words);
+    return value && is_percentage ? *value / 100.0 : value;
+}
+
+}  // namespace
+
 po::typed_value<std::string>* text(const char* name) {
     return po::value<std::string>()->value_name(name);
+}
+
+bool is_given(const po::variables_map& values, const std::string& option) {
+    return values.count(option) != 0 && !values[option].defaulted();
+}
+
+std::optional<double> plain_number(std::string_view words) {
+    double value = 0.0;
+    const auto [end, problem] = std::from_chars(words.data(), words.data() + words.size(), value);
+    if (problem != std::errc() || end != words.data() + words.size()) return std::nullopt;
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+double fraction_option(const po::variables_map& values, const std::string& option, double above,
+                       double below, const std::string& expected) {
+    const auto words = values[option].as<std::string>();
+    const auto value = fraction(words);
+    if (!value || !(*value > above && *value < below))
+        throw UsageError("--" + option, "found '" + words + "', expected " + expected);
+    return *value;
 }
 
 std::int64_t whole_number(const po::variables_map& values, const std::string& option,

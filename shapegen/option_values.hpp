@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include <boost/program_options.hpp>
 
@@ -11,6 +13,18 @@ namespace dem {
 
 /// An option with a text; `name` stands for it in the help.
 boost::program_options::typed_value<std::string>* text(const char* name);
+
+/// True where the user gave the option, not its default.
+bool is_given(const boost::program_options::variables_map& values, const std::string& option);
+
+/// A finite number and nothing else.
+std::optional<double> plain_number(std::string_view words);
+
+/// The value of an option that is a fraction ("0.95" or "95%") in an open range. Throws UsageError
+/// where it is none; `expected` completes "expected ...".
+double fraction_option(const boost::program_options::variables_map& values,
+                       const std::string& option, double above, double below,
+                       const std::string& expected);
 
 /// The value of a whole-number option. Throws UsageError where it is out of range.
 std::int64_t whole_number(const boost::program_options::variables_map& values,

@@ -81,9 +81,9 @@ struct Cooked {
     std::vector<std::string> lines;
 };
 
-Cooked cook_profile(const CookCommand& command) {
+Cooked cook_as(const CookOptions& options, const CookCommand& command) {
     const ProfileFile file = read_profile(command.input.string(), command.mesh.scale);
-    Cooked cooked{cook(file.profile, file.name, command.options), file.hash, {}};
+    Cooked cooked{cook(file.profile, file.name, options), file.hash, {}};
     cooked.shape.input_unit = file.unit;
     return cooked;
 }
@@ -94,15 +94,15 @@ void write_convergence(const std::filesystem::path& path, const std::string& nam
                path.extension() == ".svg" ? convergence_plot(name, rows) : convergence_csv(rows));
 }
 
-Cooked cook_solid(const CookCommand& command) {
+Cooked cook_as(const ClumpCommand& wanted, const CookCommand& command) {
     LateProgress progress("shapegen " + command.input.filename().string(), command.is_quiet, false);
     constexpr double loading = 0.1;  // of the time
     MeshLoadOptions mesh = command.mesh;
     mesh.progress = part(progress, 0.0, loading);
     const Solid solid = load_solid(command.input, mesh);
-    ClumpRequest request = command.clump->request;
+    ClumpRequest request = wanted.request;
     request.options.progress = part(progress, loading, 1.0);
-    request.wants_convergence = !command.clump->convergence.empty();
+    request.wants_convergence = !wanted.convergence.empty();
     CookedClump clump;
     try {
         clump = cook_clump(solid, request);
@@ -110,27 +110,28 @@ Cooked cook_solid(const CookCommand& command) {
         throw Error(command.input.string(), error.what());
     }
     if (request.wants_convergence)
-        write_convergence(command.clump->convergence, solid.name, clump.convergence);
+        write_convergence(wanted.convergence, solid.name, clump.convergence);
     std::vector<std::string> lines = solid.lines;
     lines.insert(lines.end(), clump.lines.begin(), clump.lines.end());
     return {std::move(clump.shape), solid.hash, std::move(lines)};
 }
 
-Cooked cook_body(const CookCommand& command) {
-    if (command.clump) return cook_solid(command);
-    if (!command.convex) return cook_profile(command);
-    CookedConvex cooked = cook_convex(command.input, *command.convex, command.mesh);
+Cooked cook_as(const ConvexRequest& request, const CookCommand& command) {
+    CookedConvex cooked = cook_convex(command.input, request, command.mesh);
     return {std::move(cooked.shape), cooked.hash, std::move(cooked.lines)};
 }
 
 void run(const CookCommand& command, std::ostream& out) {
     const auto start = std::chrono::steady_clock::now();
     keep_input(command.input, command.output);
-    if (command.clump) keep_input(command.input, command.clump->convergence);
     check_writable(command.output);
-    if (command.clump && !command.clump->convergence.empty())
-        check_writable(command.clump->convergence);
-    Cooked cooked = cook_body(command);
+    const auto* clump = std::get_if<ClumpCommand>(&command.recipe);
+    if (clump != nullptr && !clump->convergence.empty()) {
+        keep_input(command.input, clump->convergence);
+        check_writable(clump->convergence);
+    }
+    Cooked cooked =
+        std::visit([&](const auto& recipe) { return cook_as(recipe, command); }, command.recipe);
     TemplateFile result;
     result.command = command.text;
     result.input_hash = cooked.input_hash;
