@@ -110,11 +110,10 @@ void check_field(const Scene& scene, const Values& values, const ContactLaw& law
     for (const BodyKind& kind : scene.kinds) {
         const ParticleTemplate& shape = scene.shapes[kind.shape];
         if (kind.material != a && kind.material != b) continue;
-        const auto error = std::find_if(shape.certificate.begin(), shape.certificate.end(),
-                                        [](const auto& e) { return e.first == "sdf_error_max"; });
-        if (error == shape.certificate.end()) continue;
-        const double thickness = half_thickness(shape.mass_properties);
-        if (error->second * 2.0 * shape.bounding_radius <= 0.1 * thickness) continue;
+        const auto* sr = std::get_if<SrShape>(&shape.shape);
+        if (sr == nullptr) continue;
+        const double largest_error = 0.5 * sr->sdf.surface_slack;  // which is twice what was found
+        if (largest_error <= 0.1 * half_thickness(shape.mass_properties)) continue;
         throw Error(values.where("contact"), "'nodes' needs the distance field of '" + shape.name +
                                                  "', which is coarser than the body is thick, "
                                                  "expected 'continuous'");

@@ -109,10 +109,11 @@ LibrarySummary generate_library(const LibraryRequest& request, const std::filesy
             summary.smallest = is_first ? volume : std::min(summary.smallest, volume);
             summary.largest = std::max(summary.largest, volume);
             summary.mean += volume;
-            summary.mean_vertices +=
-                static_cast<double>(std::get<ConvexShape>(shape.shape).vertices.size());
+            const auto& convex = std::get<ConvexShape>(shape.shape);
+            summary.mean_vertices += static_cast<double>(convex.vertices.size());
             summary.surface_deviation =
-                std::max(summary.surface_deviation, shape.certificate.back().second);
+                std::max(summary.surface_deviation,
+                         shape.display_mesh.max_deviation / convex.equivalent_diameter);
         }
         if (begin == 0) check_size(request.count, shapes.size(), builder.byte_size(), path);
     }
