@@ -23,7 +23,8 @@ struct RunSummary {
     double measure_time = 0.0;        ///< of the wall time for measures [s]
     double output_time = 0.0;         ///< of the wall time for files [s]
     double microseconds_per_particle_step = 0.0;  ///< the rest over all particle steps
-    int threads = 1;
+    int threads = 1;                              ///< at most
+    double threads_used = 1.0;                    ///< on average over the wall time of the steps
     std::uint64_t seed = 0;
     std::uint64_t state_hash = 0;  ///< of the final state, written as 16 hex digits
     std::vector<std::pair<std::string, double>> measures;       ///< final values, by name

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/error.hpp"
 #include "common/signals.hpp"
+#include "common/threads/thread_team.hpp"
 #include "runtime/case/key.hpp"
 #include "runtime/case/read_scene.hpp"
 #include "runtime/case/scene_summary.hpp"
@@ -52,7 +53,8 @@ po::options_description options() {
     auto add = visible.add_options();
     add("out", po::value<std::string>()->value_name("DIR"),
         "folder for the results (default: the case's name)");
-    add("threads", po::value<int>()->value_name("N"), "0: every core; never changes a result");
+    add("threads", po::value<int>()->value_name("N"),
+        "at most so many; 0: every core; never changes a result");
     add("set", po::value<std::vector<std::string>>()->value_name("SECTION.KEY=VALUE"),
         "set a value over the case file; may be repeated, the last one counts");
     add("resume", "go on from the checkpoint in the folder of the results");
@@ -107,6 +109,8 @@ CommandLine command_line(const po::variables_map& values) {
 }
 
 dem::Scene scene_of(const CommandLine& line) {
+    dem::ThreadTeam team(line.threads.value_or(0));
+    const dem::ThreadTeam::InForce together(&team);
     dem::CaseFile file = dem::read_case_file(line.case_path);
     for (const std::string& assignment : line.overrides) dem::override_value(file, assignment);
     dem::Scene scene = dem::read_scene(file);

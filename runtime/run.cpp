@@ -17,8 +17,6 @@
 #include <string>
 #include <utility>
 
-#include <omp.h>
-
 namespace dem {
 
 namespace {
@@ -124,7 +122,6 @@ void check_resume(Scene scene) {
 }
 
 RunResult run(Scene scene, const RunOptions& options) {
-    omp_set_num_threads(scene.run.threads > 0 ? scene.run.threads : omp_get_num_procs());
     const double dt = time_step(scene).value;
     const std::uint64_t last_step = step_count(scene.run, dt, scene.case_path);
     if (options.resume) require_checkpoint(scene);

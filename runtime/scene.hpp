@@ -96,14 +96,13 @@ struct RunSettings {
     bool time_step_force = false;
     Vec3 gravity = Vec3::Zero();  ///< [m/s^2]
     std::uint64_t seed = 1;
-    int threads = 0;  ///< 0: every core
+    int threads = 0;  ///< at most so many; 0: every core
     bool stop_at_rest = false;
     std::optional<Aabb> domain;  ///< leaving it is an error; none: derived from walls and regions
     std::optional<double> skin;  ///< neighbour-list skin [m]; none: chosen
-    /// Pairs of one list from which on threads share it. A team costs a few microseconds to gather
-    /// on an idle machine, but milliseconds where other programs hold a core that it waits for: too
-    /// much for the 250 us that this many pairs of tablets take. Never changes a result.
-    std::uint32_t parallel_pairs = 1000;
+    /// For tests: the threads of each step in turn, which share every loop however small. Empty: as
+    /// many as make steps shortest (common/threads/step_team.hpp). Never changes a result.
+    std::vector<int> forced_threads;
 };
 
 struct OutputSettings {

@@ -6,16 +6,16 @@
 #include "runtime/broad_phase/margins.hpp"
 #include "runtime/domain.hpp"
 #include "runtime/integrator/integrator.hpp"
+#include "runtime/loop_grain.hpp"
 #include "runtime/measure/energy.hpp"
 
+#include <atomic>
 #include <cstdio>
 #include <utility>
 
 namespace dem {
 
 namespace {
-
-constexpr std::uint32_t parallel_threshold = 1000;
 
 /// Overlap, in radii of the smaller body, above which a contact law for small overlaps means
 /// nothing: a run that gets there has too large a time step, too soft a material, or bodies pushed
@@ -43,6 +43,7 @@ std::string formatted(const char* format, Values... values) {
 
 Simulation::Simulation(Scene scene, double dt)
     : scene_(std::move(scene)),
+      team_(scene_.run.threads, scene_.run.forced_threads),
       dt_(dt),
       domain_(domain(scene_)),
       aabbs_(scene_.shapes),
@@ -50,7 +51,8 @@ Simulation::Simulation(Scene scene, double dt)
       wall_margins_(wall_margins(scene_)),
       inserter_(scene_),
       walls_(place_walls(scene_.walls)),
-      scratch_(make_scratch(scene_)) {
+      scratch_(make_scratch(scene_, static_cast<std::size_t>(team_.most()))) {
+    const StepTeam::Step together(team_);
     insert_due();
     check_bodies();
     // Bodies from the end of another run may touch from the start.
@@ -61,6 +63,7 @@ Simulation::Simulation(Scene scene, double dt)
 
 // Algorithm 1 of docs/time-loop.md.
 void Simulation::step() {
+    const StepTeam::Step together(team_);                  // threads: docs/threads.md
     kick(particles_, scene_.kinds, 0.5 * dt_);             // 1  v(t + dt/2)
     drift(particles_, scene_.kinds, surface_reach_, dt_);  // 2  x(t + dt)
     predict(particles_, scene_.kinds, dt_);                // 3  v(t + dt), a first guess
@@ -79,6 +82,7 @@ void Simulation::step() {
 
 void Simulation::insert_due() {
     if (inserter_.next_time() > time()) return;
+    const StepTeam::RarePart rare(team_);
     const std::uint32_t before = particles_.size();
     inserter_.insert_due(scene_, particles_, time());
     ledger_.resize(particles_.size());
@@ -90,19 +94,23 @@ void Simulation::insert_due() {
 }
 
 void Simulation::rebuild_lists() {
+    const StepTeam::RarePart rare(team_);
     rebuild(lists_, bodies(), aabbs_, margins(particles_, scene_, surface_reach_, dt_),
             wall_margins_);
 }
 
 void Simulation::check_bodies() const {
     const std::uint32_t count = particles_.size();
-    bool all_inside = true;
-#pragma omp parallel for schedule(static) reduction(&& : all_inside) if (count >= parallel_threshold)
-    for (std::uint32_t i = 0; i < count; ++i) {
-        // Both false for NaN, too.
-        all_inside = all_inside && domain_.contains(particles_.position[i]) &&
-                     particles_.orientation[i].squaredNorm() < 2.0;
-    }
+    std::atomic<bool> all_inside = true;
+    share_loop(count, bodies_at_a_time, [&](const LoopPart& part) {
+        bool is_inside = true;
+        for (std::size_t i = part.begin; i < part.end; ++i) {
+            // Both false for NaN, too.
+            is_inside = is_inside && domain_.contains(particles_.position[i]) &&
+                        particles_.orientation[i].squaredNorm() < 2.0;
+        }
+        if (!is_inside) all_inside = false;
+    });
     for (std::uint32_t i = 0; i < count && !all_inside; ++i) {
         const Vec3& x = particles_.position[i];
         if (!(particles_.orientation[i].squaredNorm() < 2.0)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/threads/step_team.hpp"
 #include "runtime/broad_phase/body_aabb.hpp"
 #include "runtime/insertion/inserter.hpp"
 #include "runtime/narrow_phase/force_sum.hpp"
@@ -19,7 +20,7 @@ class StateReader;
 class StateWriter;
 
 /// The time loop of one scene. Its state after any number of steps has the same bits for any number
-/// of threads (omp_set_num_threads before the constructor) and any skin.
+/// of threads (RunSettings::threads), which may change from step to step, and any skin.
 class Simulation {
   public:
     /// Places the walls and inserts what is due at time 0. `dt`: time step [s].
@@ -46,6 +47,7 @@ class Simulation {
     const LargestOverlap& largest_overlap() const { return largest_overlap_; }  ///< of this step
     /// Contacts in which the cores of two convex bodies have overlapped, so far.
     std::uint64_t core_overlaps() const { return core_overlaps_; }
+    const StepTeam& team() const { return team_; }
     double inserted_energy() const { return inserted_energy_; }  ///< of all bodies when new [J]
     Bodies bodies() const { return {scene_, particles_, walls_}; }
 
@@ -68,6 +70,7 @@ class Simulation {
     std::string here() const;
 
     Scene scene_;
+    StepTeam team_;
     double dt_;
     std::uint64_t steps_ = 0;
     Aabb domain_;

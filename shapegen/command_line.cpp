@@ -23,7 +23,9 @@ using Words = std::vector<std::string>;
 
 po::options_description common_options() {
     po::options_description options("Everywhere");
-    options.add_options()("help,h", "print this and stop")("version", "print the version and stop");
+    options.add_options()("threads", po::value<std::int64_t>()->default_value(0)->value_name("N"),
+                          "at most so many; 0: one per core; never changes a result")(
+        "help,h", "print this and stop")("version", "print the version and stop");
     return options;
 }
 
@@ -168,6 +170,22 @@ std::uint32_t number(const po::variables_map& values, const std::string& option,
     return static_cast<std::uint32_t>(found);
 }
 
+int threads(const po::variables_map& values) {
+    return static_cast<int>(number(values, "threads", 0, 4096));
+}
+
+/// What a template says it was made by: the command line but for the number of threads, which
+/// changes nothing in it.
+std::string command_text(std::string text, const Words& words) {
+    for (std::size_t k = 0; k < words.size(); ++k) {
+        if (words[k] == "--threads")
+            ++k;  // its value, too
+        else if (!words[k].starts_with("--threads="))
+            text += ' ' + words[k];
+    }
+    return text;
+}
+
 CookOptions read_options(const po::variables_map& values) {
     CookOptions options;
     options.kind = values.count("sphere") != 0 ? CookOptions::Kind::sphere : CookOptions::Kind::sr;
@@ -242,8 +260,8 @@ Command parse_cook(const Words& words) {
                          ? template_output(values)
                          : command.input.filename().replace_extension(".tpl");
     command.is_quiet = values.count("quiet") != 0;
-    command.text = "shapegen";
-    for (const std::string& word : words) command.text += ' ' + word;
+    command.threads = threads(values);
+    command.text = command_text("shapegen", words);
     return command;
 }
 
@@ -252,8 +270,8 @@ Command parse_generate(const Words& words) {
     PrintCommand print;
     if (wants_words(values, print)) return print;
     GenerateCommand command = read_generate_options(values, one_input(values, "sand or woodchips"));
-    command.text = "shapegen generate";
-    for (const std::string& word : words) command.text += ' ' + word;
+    command.threads = threads(values);
+    command.text = command_text("shapegen generate", words);
     return command;
 }
 

@@ -19,7 +19,8 @@ struct GenerateCommand {
     std::uint64_t count = 0;
     std::filesystem::path output;
     bool is_quiet = false;
-    std::string text;  ///< the whole command line, kept in the template
+    int threads = 0;   ///< at most; 0: one per core
+    std::string text;  ///< the command line without --threads, kept in the template
 };
 
 /// For `--help` and the parser.

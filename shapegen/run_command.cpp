@@ -5,6 +5,7 @@
 #include "common/error.hpp"
 #include "common/format.hpp"
 #include "common/progress.hpp"
+#include "common/threads/thread_team.hpp"
 #include "common/units.hpp"
 #include "formats/clump_export.hpp"
 #include "formats/profile_file.hpp"
@@ -122,6 +123,8 @@ Cooked cook_as(const ConvexRequest& request, const CookCommand& command) {
 }
 
 void run(const CookCommand& command, std::ostream& out) {
+    ThreadTeam team(command.threads);
+    const ThreadTeam::InForce together(&team);
     const auto start = std::chrono::steady_clock::now();
     keep_input(command.input, command.output);
     check_writable(command.output);
@@ -150,6 +153,8 @@ void run(const CookCommand& command, std::ostream& out) {
 }
 
 void run(const GenerateCommand& command, std::ostream& out) {
+    ThreadTeam team(command.threads);
+    const ThreadTeam::InForce together(&team);
     const auto start = std::chrono::steady_clock::now();
     LateProgress progress("shapegen generate", command.is_quiet, true);
     const LibraryRequest request{command.grains, command.count, command.text,

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/broad_phase/hierarchical_grid.hpp"
 
+#include "common/threads/thread_team.hpp"
+#include "runtime/loop_grain.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-
-#include <omp.h>
 
 // Hierarchical hash grid (Ericson 2005, Sec. 7.2.1; Ogarko & Luding 2012). Level k has cells of
 // edge s_k = s_0 / 2^k, s_0 the largest extent of any box. A box lies in one cell only: the one
@@ -36,7 +37,6 @@ struct GridLevel {
 };
 
 constexpr int finest_level = 40;
-constexpr std::uint32_t parallel_threshold = 1000;
 
 double extent_of(const Aabb& box) {
     return (box.upper - box.lower).maxCoeff();
@@ -167,17 +167,14 @@ std::vector<IdPair> overlapping_pairs(std::span<const Aabb> boxes) {
     std::vector<std::uint32_t> level_of;
     const std::vector<GridLevel> levels = fill_levels(boxes, level_of);
 
-    std::vector<std::vector<IdPair>> parts(static_cast<std::size_t>(omp_get_max_threads()));
-#pragma omp parallel if (count >= parallel_threshold)
-    {
-        auto& pairs = parts[static_cast<std::size_t>(omp_get_thread_num())];
-#pragma omp for schedule(static)
-        for (std::uint32_t i = 0; i < count; ++i) {
+    std::vector<std::vector<IdPair>> parts(team_size_in_force());
+    share_loop(count, bodies_at_a_time, [&](const LoopPart& part) {
+        for (auto i = static_cast<std::uint32_t>(part.begin); i < part.end; ++i) {
             for (std::uint32_t k = 0; k <= level_of[i]; ++k) {
-                find_partners(levels[k], k == level_of[i], boxes, i, pairs);
+                find_partners(levels[k], k == level_of[i], boxes, i, parts[part.worker]);
             }
         }
-    }
+    });
     return sorted(parts, count);
 }
 

@@ -48,7 +48,7 @@ constexpr Key run_keys[] = {
      .type = count,
      .range = {.low = 0.0, .high = 4096.0},
      .standard = "0",
-     .doc = "0: every core; never changes a result"},
+     .doc = "at most so many, as many as make it faster; 0: every core; never changes a result"},
     {.name = "stop",
      .type = choice,
      .standard = "end_time",

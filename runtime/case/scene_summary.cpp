@@ -2,14 +2,13 @@
 #include "runtime/case/scene_summary.hpp"
 
 #include "common/progress.hpp"
+#include "common/threads/available_cores.hpp"
 #include "runtime/insertion/inserter.hpp"
 #include "runtime/time_step.hpp"
 
 #include <cmath>
 #include <iomanip>
 #include <sstream>
-
-#include <omp.h>
 
 namespace dem {
 
@@ -147,8 +146,8 @@ std::string check_scene(const Scene& scene) {
     }
     out << (scene.walls.empty() ? "\n" : ")\n");
     describe(step, scene.run, out);
-    const int threads = scene.run.threads > 0 ? scene.run.threads : omp_get_num_procs();
-    const int used = std::min(threads, omp_get_num_procs());
+    const int cores = available_cores();
+    const int used = scene.run.threads > 0 ? std::min(scene.run.threads, cores) : cores;
     out << "steps: " << step_count(scene.run, step.value, scene.case_path) << " to "
         << scene.run.end_time << " s\n"
         << "estimate: about " << format_duration(work / speed_up(used)) << " on " << used

@@ -2,16 +2,18 @@
 #include "runtime/case/shape_library.hpp"
 
 #include "common/error.hpp"
+#include "common/threads/thread_team.hpp"
 #include "runtime/case/sphere_template.hpp"
 #include "runtime/case/values.hpp"
 
-#include <exception>
 #include <limits>
 
 namespace dem {
 
 namespace {
 
+/// Shapes that one thread reads at a time: some 10 us each and more.
+constexpr std::size_t shapes_at_a_time = 4;
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
@@ -52,17 +54,8 @@ std::vector<std::uint32_t> ShapeLibrary::take(std::span<const std::size_t> indic
         fresh.push_back(index);
     }
     scene.shapes.resize(first + fresh.size());
-    std::vector<std::exception_ptr> errors(fresh.size());
-#pragma omp parallel for schedule(dynamic, 16)
-    for (std::size_t k = 0; k < fresh.size(); ++k) {
-        try {
-            scene.shapes[first + k] = make(fresh[k]);
-        } catch (...) {
-            errors[k] = std::current_exception();
-        }
-    }
-    for (const std::exception_ptr& error : errors)
-        if (error) std::rethrow_exception(error);
+    share_each(fresh.size(), shapes_at_a_time,
+               [&](std::size_t k) { scene.shapes[first + k] = make(fresh[k]); });
     std::vector<std::uint32_t> places;
     places.reserve(indices.size());
     for (const std::size_t index : indices) places.push_back(in_scene_[index]);

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/integrator/integrator.hpp"
 
+#include "common/threads/thread_team.hpp"
 #include "runtime/integrator/rigid_body.hpp"
+#include "runtime/loop_grain.hpp"
 
 namespace dem {
 
 namespace {
 
-/// Below this many bodies threads cost more than they save.
-constexpr std::int64_t parallel_threshold = 1000;
-
 template <class Body>
 void for_each_body(const Particles& particles, const Body& body) {
-    const auto n = static_cast<std::int64_t>(particles.size());
-#pragma omp parallel for schedule(static) if (n >= parallel_threshold)
-    for (std::int64_t i = 0; i < n; ++i) body(static_cast<std::size_t>(i));
+    share_each(particles.size(), bodies_at_a_time, body);
 }
 
 void update_angular_velocity(Particles& p, std::size_t i, const BodyKind& kind) {

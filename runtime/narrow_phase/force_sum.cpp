@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/narrow_phase/force_sum.hpp"
 
+#include "common/threads/thread_team.hpp"
+#include "runtime/loop_grain.hpp"
+
 namespace dem {
 
 void sum_forces(Particles& particles, NeighborLists& lists, const Scene& scene,
                 EnergyLedger& ledger) {
     particles.force.swap(particles.old_force);
     particles.torque.swap(particles.old_torque);
-    const std::uint32_t count = particles.size();
-#pragma omp parallel for schedule(static) if (count >= scene.run.parallel_pairs)
-    for (std::uint32_t i = 0; i < count; ++i) {
+    share_each(particles.size(), bodies_at_a_time, [&](std::size_t k) {
+        const auto i = static_cast<std::uint32_t>(k);
         Vec3 force = Vec3::Zero();
         Vec3 torque = Vec3::Zero();
         double dissipated = 0.0;
@@ -31,7 +33,7 @@ void sum_forces(Particles& particles, NeighborLists& lists, const Scene& scene,
         particles.torque[i] = torque;
         ledger.dissipated[i] += dissipated;
         ledger.wall_work[i] += wall_work;
-    }
+    });
 }
 
 }  // namespace dem

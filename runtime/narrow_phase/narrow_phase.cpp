@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/narrow_phase/narrow_phase.hpp"
 
+#include "common/threads/thread_team.hpp"
 #include "runtime/contact/clump_contact.hpp"
+#include "runtime/loop_grain.hpp"
 #include "runtime/walls/wall_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include <omp.h>
-
 namespace dem {
 
 namespace {
-
-/// Spheres take some 50 ns a pair, other shapes several times that.
-template <class List>
-constexpr std::uint32_t relative_speed = std::is_same_v<typename List::Cache, NoCache> ? 5 : 1;
 
 // ---- What differs between pairs of particles and pairs with walls.
 
@@ -91,6 +87,18 @@ double certain_travel(double travel, double gap, double radius) {
     return travel * (1.0 - 1e-13) + gap - 1e-9 * radius;
 }
 
+/// Keeps the larger overlap; of equal ones, which symmetric scenes have, that of the earlier
+/// result.
+void keep_larger(NarrowPhaseScratch::Thread& thread, const LargestOverlap& overlap,
+                 std::uint32_t result) {
+    const bool is_larger = overlap.relative > thread.largest.relative;
+    const bool is_earlier =
+        overlap.relative == thread.largest.relative && result < thread.largest_result;
+    if (!is_larger && !is_earlier) return;
+    thread.largest = overlap;
+    thread.largest_result = result;
+}
+
 // ---- The work of one thread on one list.
 
 template <class List, class Partner>
@@ -100,10 +108,7 @@ struct Worker {
     const Partner partner;
     double dt;
     typename List::Changes& changes;
-    ContactScratch& scratch;
-    ConvexScratch& convex;
-    LargestOverlap largest{};
-    std::uint64_t cores_met = 0;
+    NarrowPhaseScratch::Thread& scratch;
 
     // Distance of a pair that does not touch, at least; <= 0 when nothing is known [m].
     template <class A, class B>
@@ -134,7 +139,7 @@ struct Worker {
         const bool is_new = list.history_of[k] == List::none;
         auto& history = is_new ? fresh : list.histories[list.history_of[k]];
         const KernelCall<typename List::A, typename List::B> call{
-            a, b, pair, partner.law(ids), dt, travel, scratch, convex};
+            a, b, pair, partner.law(ids), dt, travel, scratch.points, scratch.convex};
         const PairContact contact = call.contact(history, list.caches[k]);
 
         const std::uint32_t r = list.first_result + k;
@@ -149,59 +154,60 @@ struct Worker {
             contact.force,          contact.torque_i,          contact.torque_j,
             contact.elastic_energy, contact.dissipated_energy, partner.work(pair, contact, dt)};
         list.quiet_until[k] = List::never_quiet;
-        if (contact.cores_met) ++cores_met;
+        if (contact.cores_met) ++scratch.cores_met;
         if (is_new) changes.begun.push_back({k, fresh});
         const double relative = contact.overlap / partner.smaller_radius(ids);
-        if (relative > largest.relative) largest = {relative, ids, Partner::is_wall};
+        if (relative >= scratch.largest.relative)
+            keep_larger(scratch, {relative, ids, Partner::is_wall}, r);
     }
 };
 
+/// What one thread does of a list: its pairs whose results are in the part.
 template <class Partner, class List>
-void compute_list(List& list, NeighborLists& lists, const Partner& partner, double dt,
-                  NarrowPhaseScratch& scratch) {
-    const std::uint32_t size = list.size();
-    if (size == 0) return;
-    list.changes.resize(scratch.threads.size());
-#pragma omp parallel if (size / relative_speed <List> >= scratch.parallel_pairs)
-    {
-        const auto thread = static_cast<std::size_t>(omp_get_thread_num());
-        Worker<List, Partner> worker{list,
-                                     lists,
-                                     partner,
-                                     dt,
-                                     list.changes[thread],
-                                     scratch.threads[thread].points,
-                                     scratch.threads[thread].convex};
-#pragma omp for schedule(static)
-        for (std::uint32_t k = 0; k < size; ++k) worker.compute(k);
-        LargestOverlap& largest = scratch.threads[thread].largest;
-        if (worker.largest.relative > largest.relative) largest = worker.largest;
-        scratch.threads[thread].cores_met += worker.cores_met;
+void compute_part(List& list, NeighborLists& lists, const Partner& partner, double dt,
+                  const LoopPart& part, NarrowPhaseScratch& scratch) {
+    const std::size_t begin = std::max<std::size_t>(part.begin, list.first_result);
+    const std::size_t end = std::min<std::size_t>(part.end, list.first_result + list.size());
+    if (begin >= end) return;
+    Worker<List, Partner> worker{
+        list, lists, partner, dt, list.changes[part.worker], scratch.threads[part.worker]};
+    for (std::size_t r = begin; r < end; ++r)
+        worker.compute(static_cast<std::uint32_t>(r) - list.first_result);
+}
+
+/// Gives places to the contacts that began, in the order of the list whichever thread saw them, and
+/// takes those of the ones that ended.
+template <class List, class Mark>
+void settle_changes(List& list, const Mark& mark) {
+    auto& [begun, ended] = list.changes.front();
+    for (std::size_t k = 1; k < list.changes.size(); ++k) {
+        auto& other = list.changes[k];
+        begun.insert(begun.end(), other.begun.begin(), other.begun.end());
+        ended.insert(ended.end(), other.ended.begin(), other.ended.end());
+        other.begun.clear();
+        other.ended.clear();
     }
-    // Threads took rising parts of the list, so this is the order of the list for any number.
-    const auto mark = [&](const IdPair& ids) {
-        lists.touching_entries.changed[ids.i] = 1;
-        if constexpr (!Partner::is_wall) lists.touching_entries.changed[ids.j] = 1;
-    };
-    for (auto& changes : list.changes) {
-        for (const std::uint32_t pair : changes.ended) {
-            list.drop_history(pair);
-            mark(list.ids[pair]);
-        }
-        for (const auto& contact : changes.begun) {
-            list.add_history(contact.pair, contact.history);
-            mark(list.ids[contact.pair]);
-        }
-        changes.begun.clear();
-        changes.ended.clear();
+    // Mostly they are sorted: one thread goes through its share from front to back.
+    const auto in_order = [](const auto& a, const auto& b) { return a.pair < b.pair; };
+    if (!std::is_sorted(begun.begin(), begun.end(), in_order))
+        std::sort(begun.begin(), begun.end(), in_order);
+    if (!std::is_sorted(ended.begin(), ended.end())) std::sort(ended.begin(), ended.end());
+    for (const std::uint32_t pair : ended) {
+        list.drop_history(pair);
+        mark(list.ids[pair]);
     }
+    for (const auto& contact : begun) {
+        list.add_history(contact.pair, contact.history);
+        mark(list.ids[contact.pair]);
+    }
+    begun.clear();
+    ended.clear();
 }
 
 }  // namespace
 
-NarrowPhaseScratch make_scratch(const Scene& scene) {
+NarrowPhaseScratch make_scratch(const Scene& scene, std::size_t threads) {
     NarrowPhaseScratch scratch;
-    scratch.parallel_pairs = scene.run.parallel_pairs;
     std::size_t most_points = 0;
     for (const ParticleTemplate& shape : scene.shapes) {
         const auto* sr = std::get_if<SrShape>(&shape.shape);
@@ -209,7 +215,7 @@ NarrowPhaseScratch make_scratch(const Scene& scene) {
         const auto* clump = std::get_if<Clump>(&shape.shape);
         if (clump != nullptr) most_points = std::max(most_points, contact_room(*clump));
     }
-    scratch.threads.resize(static_cast<std::size_t>(omp_get_max_threads()));
+    scratch.threads.resize(threads);
     for (auto& thread : scratch.threads) thread.points.resize(most_points);
     for (const BodyKind& kind : scene.kinds) {
         const double volume = scene.shapes[kind.shape].mass_properties.volume;
@@ -226,18 +232,32 @@ LargestOverlap compute_contacts(NeighborLists& lists, const Bodies& bodies, doub
     }
     const ParticlePartner particle{bodies, scratch.equivalent_radius};
     const WallPartner wall{bodies, scratch.equivalent_radius};
-    std::apply([&](auto&... list) { (compute_list(list, lists, particle, dt, scratch), ...); },
-               lists.pairs);
-    std::apply([&](auto&... list) { (compute_list(list, lists, wall, dt, scratch), ...); },
-               lists.walls);
+    const auto for_each_list = [&](const auto& visit) {
+        std::apply([&](auto&... list) { (visit(list, particle), ...); }, lists.pairs);
+        std::apply([&](auto&... list) { (visit(list, wall), ...); }, lists.walls);
+    };
+    for_each_list([&](auto& list, const auto&) { list.changes.resize(scratch.threads.size()); });
+    // The results of all lists lie one after the other: one loop over them.
+    share_loop(lists.results.size(), pairs_at_a_time, [&](const LoopPart& part) {
+        for_each_list([&](auto& list, const auto& partner) {
+            compute_part(list, lists, partner, dt, part, scratch);
+        });
+    });
+    for_each_list([&]<class Partner>(auto& list, const Partner&) {
+        settle_changes(list, [&](const IdPair& ids) {
+            lists.touching_entries.changed[ids.i] = 1;
+            if constexpr (!Partner::is_wall) lists.touching_entries.changed[ids.j] = 1;
+        });
+    });
 
-    LargestOverlap largest;
-    scratch.cores_met = 0;
-    for (const auto& thread : scratch.threads) {
-        if (thread.largest.relative > largest.relative) largest = thread.largest;
+    NarrowPhaseScratch::Thread& first = scratch.threads.front();
+    scratch.cores_met = first.cores_met;
+    for (std::size_t k = 1; k < scratch.threads.size(); ++k) {
+        const auto& thread = scratch.threads[k];
+        keep_larger(first, thread.largest, thread.largest_result);
         scratch.cores_met += thread.cores_met;
     }
-    return largest;
+    return first.largest;
 }
 
 }  // namespace dem

@@ -19,19 +19,19 @@ struct LargestOverlap {
 struct NarrowPhaseScratch {
     struct Thread {
         LargestOverlap largest;
+        std::uint32_t largest_result = 0;  ///< of the pair, as an index of results
         std::uint64_t cores_met = 0;
         ContactScratch points;
         ConvexScratch convex;
     };
     std::vector<Thread> threads;
     std::vector<double> equivalent_radius;  ///< per kind [m]
-    std::uint32_t parallel_pairs = 0;       ///< RunSettings::parallel_pairs
     std::uint64_t cores_met = 0;  ///< contacts in which the cores of convex bodies have come to
                                   ///< overlap, in the last call
 };
 
-/// For the number of threads in force now (omp_set_num_threads).
-NarrowPhaseScratch make_scratch(const Scene& scene);
+/// For so many threads at most.
+NarrowPhaseScratch make_scratch(const Scene& scene, std::size_t threads);
 
 /// Computes every contact of the lists at the present state (dt: the step that led here) and fills
 /// the results. Each pair is computed by itself, so the number of threads changes nothing.

@@ -2,18 +2,20 @@
 #include "runtime/narrow_phase/neighbor_lists.hpp"
 
 #include "common/error.hpp"
+#include "common/threads/thread_team.hpp"
 #include "runtime/broad_phase/hierarchical_grid.hpp"
+#include "runtime/loop_grain.hpp"
 #include "runtime/walls/wall_distance.hpp"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <utility>
 
 namespace dem {
 
 namespace {
 
-constexpr std::uint32_t parallel_threshold = 1000;
 /// Adjacency::Entry has 31 bits for the index of a result.
 constexpr std::size_t most_pairs = std::size_t{1} << 31;
 
@@ -25,12 +27,12 @@ std::vector<IdPair> pair_candidates(const Bodies& bodies, const BodyAabbs& aabbs
                                     std::span<const double> margins) {
     const Particles& p = bodies.particles;
     std::vector<Aabb> boxes(p.size());
-#pragma omp parallel for schedule(static) if (p.size() >= parallel_threshold)
-    for (std::uint32_t i = 0; i < p.size(); ++i) {
-        boxes[i] = aabbs.box(bodies.kind(i).shape, p.position[i], p.orientation[i]);
+    share_each(p.size(), bodies_at_a_time, [&](std::size_t i) {
+        const std::uint32_t shape = bodies.scene.kinds[p.kind[i]].shape;
+        boxes[i] = aabbs.box(shape, p.position[i], p.orientation[i]);
         boxes[i].lower.array() -= margins[i];
         boxes[i].upper.array() += margins[i];
-    }
+    });
     std::vector<IdPair> pairs = overlapping_pairs(boxes);
     std::erase_if(pairs, [&](const IdPair& pair) {
         return is_fixed(bodies.kind(pair.i)) && is_fixed(bodies.kind(pair.j));
@@ -125,12 +127,14 @@ bool is_stale(const NeighborLists& lists, const Bodies& bodies) {
     for (std::size_t w = 0; w < lists.wall_limit.size(); ++w) {
         if (bodies.walls.travel[w] > lists.wall_limit[w]) return true;
     }
-    bool stale = false;
-#pragma omp parallel for schedule(static) reduction(|| : stale) if (p.size() >= parallel_threshold)
-    for (std::uint32_t i = 0; i < p.size(); ++i) {
-        stale = stale || p.travel[i] > lists.particle_limit[i];
-    }
-    return stale;
+    std::atomic<bool> is_any_beyond = false;
+    share_loop(p.size(), bodies_at_a_time, [&](const LoopPart& part) {
+        bool is_beyond = false;
+        for (std::size_t i = part.begin; i < part.end; ++i)
+            is_beyond = is_beyond || p.travel[i] > lists.particle_limit[i];
+        if (is_beyond) is_any_beyond = true;
+    });
+    return is_any_beyond;
 }
 
 void rebuild(NeighborLists& lists, const Bodies& bodies, const BodyAabbs& aabbs,

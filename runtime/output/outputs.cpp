@@ -16,7 +16,6 @@
 #include <system_error>
 
 #include <fcntl.h>
-#include <omp.h>
 #include <unistd.h>
 
 namespace dem {
@@ -256,7 +255,8 @@ void Outputs::finish(const Simulation& simulation, const RunResult& result) {
                        .measure_time = result.measure_time,
                        .output_time = result.output_time,
                        .microseconds_per_particle_step = result.microseconds_per_particle_step,
-                       .threads = omp_get_max_threads(),
+                       .threads = simulation.team().most(),
+                       .threads_used = simulation.team().mean_size(),
                        .seed = scene.run.seed,
                        .state_hash = result.state_hash,
                        .measures = {},

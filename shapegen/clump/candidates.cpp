@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/clump/candidates.hpp"
 
+#include "common/threads/thread_team.hpp"
 #include "shapegen/clump/ball_tree.hpp"
 #include "shapegen/clump/surface_samples.hpp"
 
@@ -15,12 +16,11 @@ double largest_radius(const SurfaceQuery& surface) {
     return 0.5 * (box.upper - box.lower).minCoeff();
 }
 
-/// Calls make(i) for all i < count in any number of threads; what it gives is kept in order.
+/// Calls make(i) for all i < count, shared among threads; what it gives is kept in order.
 template <class Make>
 std::vector<Ball> collect(std::size_t count, double min_radius, const Make& make) {
     std::vector<Ball> balls(count);
-#pragma omp parallel for schedule(dynamic, 64) if (count >= 1000)
-    for (std::size_t i = 0; i < count; ++i) balls[i] = make(i);
+    share_each(count, 4, [&](std::size_t i) { balls[i] = make(i); });
     std::erase_if(balls, [&](const Ball& b) { return !(b.radius > std::max(min_radius, 0.0)); });
     return balls;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/clump/cover.hpp"
 
+#include "common/threads/thread_team.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,15 +44,14 @@ void count_top(std::span<const Ball> candidates, const CellCover& cover, std::si
         heap.pop();
     }
     const std::size_t next = heap.empty() ? 0 : heap.top().gain;
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t n = 0; n < count; ++n) {
+    share_each(count, 1, [&](std::size_t n) {
         DatedBid& bid = stale[n];
         const Ball& ball = candidates[bid.candidate];
         bid.gain = std::min(bid.gain, cover.gain_bound(ball));
-        if (bid.gain < next) continue;  // others are better as it seems
+        if (bid.gain < next) return;  // others are better as it seems
         bid.gain = cover.gain(ball);
         bid.counted_at = now;
-    }
+    });
     for (std::size_t n = 0; n < count; ++n)
         if (stale[n].gain > 0) heap.push(stale[n]);
 }

@@ -2,6 +2,7 @@
 #include "shapegen/clump/exchange.hpp"
 
 #include "common/math/elementary.hpp"
+#include "common/threads/thread_team.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,11 +70,10 @@ void Exchange::update_gains(std::span<const Ball> candidates) {
     if (candidates.size() > known) tree_.emplace(candidates);
     gains_.resize(candidates.size());
     asked_.resize(candidates.size(), 0);
-#pragma omp parallel for schedule(dynamic, 64) if (candidates.size() >= 1000)
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
+    share_each(candidates.size(), 16, [&](std::size_t i) {
         if (i >= known || has_changed_near(candidates[i], 1.0, gains_at_))
             gains_[i] = static_cast<double>(cover_.gain(candidates[i]));
-    }
+    });
     gains_at_ = changes_.size();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/clump/fit.hpp"
 
+#include "common/threads/thread_team.hpp"
 #include "shapegen/clump/sample_blocks.hpp"
 
 #include <algorithm>
@@ -176,9 +177,9 @@ class Improvement {
 void fit(const SurfaceQuery& surface, std::span<const SurfaceSample> samples,
          const FitOptions& options, std::vector<Ball>& balls) {
     std::vector<PlacedBall> placed(balls.size());
-#pragma omp parallel for schedule(dynamic, 16) if (balls.size() >= 200)
-    for (std::size_t b = 0; b < balls.size(); ++b)
+    share_each(balls.size(), 2, [&](std::size_t b) {
         placed[b] = {balls[b], surface.nearest(balls[b].center)};
+    });
     Assignment assignment(samples);
     std::vector<Ball> best = balls;
     double least = std::numeric_limits<double>::infinity();
@@ -197,13 +198,12 @@ void fit(const SurfaceQuery& surface, std::span<const SurfaceSample> samples,
             best = balls;
         }
         if (step == options.steps || step - progress_at == patience) break;
-#pragma omp parallel for schedule(dynamic, 16) if (balls.size() >= 200)
-        for (std::size_t b = 0; b < balls.size(); ++b) {
+        share_each(balls.size(), 1, [&](std::size_t b) {
             const auto own = assignment.samples_of(b);
-            if (own.empty()) continue;
+            if (own.empty()) return;
             placed[b] = Improvement(surface, Patch(samples, own), options, placed[b])();
             balls[b] = placed[b].ball;
-        }
+        });
     }
     balls = best;
 }

@@ -3,6 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/state_hash.hpp"
+#include "common/threads/thread_team.hpp"
 #include "formats/template_check.hpp"
 #include "formats/template_header.hpp"
 #include "formats/template_writer.hpp"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <exception>
 
 namespace dem {
 
@@ -41,23 +41,15 @@ ParticleTemplate grain_template(const GranularOptions& options, std::uint64_t in
     return shape;
 }
 
-/// Grains begin .. begin + shapes.size() - 1. The error of the first that failed, in their order.
+/// Grains begin .. begin + shapes.size() - 1.
 void make_block(const LibraryRequest& request, const std::filesystem::path& path,
                 std::uint64_t begin, std::vector<ParticleTemplate>& shapes,
                 LibrarySummary& summary) {
-    std::vector<std::exception_ptr> errors(shapes.size());
     std::vector<int> redrawn(shapes.size(), 0);
-#pragma omp parallel for schedule(dynamic, 16)
-    for (std::size_t k = 0; k < shapes.size(); ++k) {
-        try {
-            shapes[k] = grain_template(request.grains, begin + k, redrawn[k]);
-            check_template(shapes[k], shape_place(path.string(), begin + k, shapes[k].name));
-        } catch (...) {
-            errors[k] = std::current_exception();
-        }
-    }
-    for (const std::exception_ptr& error : errors)
-        if (error) std::rethrow_exception(error);
+    share_each(shapes.size(), 1, [&](std::size_t k) {
+        shapes[k] = grain_template(request.grains, begin + k, redrawn[k]);
+        check_template(shapes[k], shape_place(path.string(), begin + k, shapes[k].name));
+    });
     for (const int count : redrawn) summary.redrawn += static_cast<std::uint64_t>(count);
 }
 

@@ -5,6 +5,7 @@
 // write to, so layers can be shared out among threads in any way.
 #include "shapegen/thinning/thin.hpp"
 
+#include "common/threads/thread_team.hpp"
 #include "shapegen/thinning/select_voxels.hpp"
 #include "shapegen/thinning/simple_voxels.hpp"
 #include "shapegen/thinning/skeletal_voxels.hpp"
@@ -15,9 +16,8 @@ namespace dem {
 
 namespace {
 
-/// Live bricks, about those of a body at N = 160, below which a step takes less than a millisecond:
-/// on a busy machine the threads would wait for each other longer than that.
-constexpr std::size_t parallel_threshold = 1 << 15;
+/// Live bricks that take some five microseconds: what one thread works on at a time, at least.
+constexpr std::size_t bricks_at_a_time = 200;
 
 using Indices = std::vector<std::ptrdiff_t>;
 
@@ -39,9 +39,8 @@ template <class Work>
 void for_each_layer(std::vector<Layer>& layers, Work work) {
     std::size_t live = 0;
     for (const Layer& layer : layers) live += layer.live.size();
-    const std::size_t count = layers.size();
-#pragma omp parallel for schedule(static, 1) if (live >= parallel_threshold)
-    for (std::size_t k = 0; k < count; ++k) work(layers[k]);
+    const std::size_t layers_at_a_time = 1 + bricks_at_a_time * layers.size() / (live + 1);
+    share_each(layers.size(), layers_at_a_time, [&](std::size_t k) { work(layers[k]); });
 }
 
 void find_interior(const BrickImage& X, std::vector<Layer>& layers, BrickImage& interior) {

@@ -5,6 +5,7 @@
 // skeleton.
 //   thinning_benchmark
 #include "common/state_hash.hpp"
+#include "common/threads/thread_team.hpp"
 #include "shapegen/thinning/thin.hpp"
 #include "shapegen/voxel/voxelize.hpp"
 #include "tests/common/shapes/sample_meshes.hpp"
@@ -13,8 +14,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-
-#include <omp.h>
 
 namespace dem {
 namespace {
@@ -44,7 +43,8 @@ double best_time(Work work) {
 }
 
 void measure(const TriangleMesh& mesh, int per_diameter, int threads) {
-    omp_set_num_threads(threads);
+    ThreadTeam team(threads);
+    const ThreadTeam::InForce together(&team);
     const double spacing = voxel_spacing(enclosed_volume(mesh), per_diameter);
     VoxelImage image = voxelize(mesh, spacing);
     VoxelImage surface = image;

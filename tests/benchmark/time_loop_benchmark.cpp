@@ -16,7 +16,6 @@
 #include <vector>
 
 #include <malloc.h>
-#include <omp.h>
 
 // Cost of the time loop on settled beds with fixed counts:
 //
@@ -24,11 +23,11 @@
 //                         [count [threads[,threads...] [steps [skin in mm]]]]
 //
 // A bed first settles with a large time step, then the loop is timed with the one of the scene,
-// from the same state for each number of threads. The hash proves that a faster version still
-// computes the same. The cost of one core is in cpu_us; the wall time says as much only on an idle
-// machine. Virtual machines are given more or fewer of the cycles of their cores from second to
-// second: `cycles` is cpu_us times the clock measured between the blocks, and can be compared from
-// run to run.
+// from the same state for each number of threads at most. The hash proves that a faster version
+// still computes the same. The cost of one core is in cpu_us; the wall time says as much only on an
+// idle machine. Virtual machines are given more or fewer of the cycles of their cores from second
+// to second: `cycles` is cpu_us times the clock measured between the blocks, and can be compared
+// from run to run.
 
 namespace dem {
 namespace {
@@ -198,9 +197,10 @@ Cost cost_of(Simulation& simulation, int steps) {
 }
 
 void measure(const Settings& s, const Bed& bed, const Simulation& settling, int threads) {
-    omp_set_num_threads(threads);
+    Scene scene = restarted(settling);
+    scene.run.threads = threads;
     const std::size_t heap_before = mallinfo2().uordblks;
-    Simulation simulation(restarted(settling), bed.dt);
+    Simulation simulation(std::move(scene), bed.dt);
     const int steps = s.steps > 0 ? s.steps : std::max(200, static_cast<int>(8e6 / s.count));
     for (int n = 0; n < steps / 4; ++n) simulation.step();
 
@@ -211,23 +211,25 @@ void measure(const Settings& s, const Bed& bed, const Simulation& settling, int 
     const double count = simulation.particles().size();
     const auto contacts =
         static_cast<double>(std::count(touching.begin(), touching.end(), std::uint8_t{1}));
-    std::printf("%s,%u,%d,%d,%.4f,%.4f,%.4f,%.0f,%.2f,%.2f,%.2f,%" PRIu64 ",%.0f,%016" PRIx64 "\n",
-                s.scene.c_str(), simulation.particles().size(), threads, steps, cost.wall, cost.cpu,
-                cost.best_cpu, cost.cycles, cost.clock,
-                static_cast<double>(touching.size()) / count, contacts / count,
-                simulation.lists().rebuilds - rebuilds, static_cast<double>(heap) / count,
-                simulation.state_hash());
+    std::printf("%s,%u,%d,%.2f,%d,%.4f,%.4f,%.4f,%.0f,%.2f,%.2f,%.2f,%" PRIu64 ",%.0f,%016" PRIx64
+                "\n",
+                s.scene.c_str(), simulation.particles().size(), threads,
+                simulation.team().mean_size(), steps, cost.wall, cost.cpu, cost.best_cpu,
+                cost.cycles, cost.clock, static_cast<double>(touching.size()) / count,
+                contacts / count, simulation.lists().rebuilds - rebuilds,
+                static_cast<double>(heap) / count, simulation.state_hash());
     std::fflush(stdout);
 }
 
 void measure(const Settings& s) {
-    omp_set_num_threads(*std::max_element(s.threads.begin(), s.threads.end()));
     Bed bed = make_bed(s);
+    bed.scene.run.threads = *std::max_element(s.threads.begin(), s.threads.end());
     if (s.skin > 0.0) bed.scene.run.skin = s.skin;
     Simulation settling(bed.scene, bed.settling_dt);
     for (int n = 0; n < bed.settling_steps; ++n) settling.step();
     std::printf(
-        "scene,particles,threads,steps,us_per_particle_step,cpu_us,best_cpu_us,cycles,clock_ghz,"
+        "scene,particles,threads,threads_used,steps,us_per_particle_step,cpu_us,best_cpu_us,cycles,"
+        "clock_ghz,"
         "candidates,contacts,rebuilds,bytes_per_particle,state_hash\n");
     for (const int threads : s.threads) measure(s, bed, settling, threads);
 }

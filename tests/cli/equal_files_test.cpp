@@ -59,10 +59,11 @@ std::string mixed_drum(const char* law) {
            "[measure.height]\nkind = fill_height\nevery = 20 ms\n";
 }
 
-/// Every file below a folder by its name, without the times that the clock of the wall gave.
+/// Every file below a folder by its name, without what the clock of the wall gave.
 std::map<std::string, std::string> contents(const fs::path& folder) {
     static const std::regex clock_times(
-        "(\"(wall|measure|output)_time\"|\"microseconds_per_particle_step\"): [-+.e0-9]+");
+        "(\"(wall|measure|output)_time\"|\"microseconds_per_particle_step\"|\"threads_used\"): "
+        "[-+.e0-9]+");
     std::map<std::string, std::string> result;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file()) continue;

@@ -98,9 +98,9 @@ TEST_F(ShapegenCli, CooksEveryProfileThatShips) {
 }
 
 TEST_F(ShapegenCli, GivesTheSameBytesTwiceAndForAnyNumberOfThreads) {
-    ASSERT_EQ(run(profiles + "tablet.profile -q", "OMP_NUM_THREADS=1").code, 0);
+    ASSERT_EQ(run(profiles + "tablet.profile -q --threads 1").code, 0);
     const std::string first = content(folder_ / "tablet.tpl");
-    ASSERT_EQ(run(profiles + "tablet.profile -q", "OMP_NUM_THREADS=2").code, 0);
+    ASSERT_EQ(run(profiles + "tablet.profile -q --threads 2").code, 0);
     EXPECT_EQ(content(folder_ / "tablet.tpl"), first);
     EXPECT_EQ(files(), std::set<std::string>{"tablet.tpl"});
 }

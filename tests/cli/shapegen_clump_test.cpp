@@ -97,9 +97,9 @@ TEST_F(ShapegenClump, ReachesTheErrorWithFewSpheres) {
 }
 
 TEST_F(ShapegenClump, GivesTheSameSpheresForAnyNumberOfThreads) {
-    cook(candy + " --clump-spheres 12" + coarse, "OMP_NUM_THREADS=1 ");
+    cook(candy + " --clump-spheres 12" + coarse + " --threads 1");
     const std::string first = content(folder_ / "out.tpl");
-    cook(candy + " --clump-spheres 12" + coarse, "OMP_NUM_THREADS=3 ");
+    cook(candy + " --clump-spheres 12" + coarse + " --threads 3");
     EXPECT_EQ(content(folder_ / "out.tpl"), first);
 }
 

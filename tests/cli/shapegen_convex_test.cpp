@@ -153,9 +153,9 @@ TEST_F(ShapegenConvex, KeepsTheVolumeOfTheMeshWhateverHullVerticesAndRoundingDoT
 
 TEST_F(ShapegenConvex, GeneratesTheSameLibraryForAnyNumberOfThreads) {
     const std::string command = "generate sand --count 300 --seed 4";
-    cook(command, "OMP_NUM_THREADS=1 ");
+    cook(command + " --threads 1");
     const std::string first = content(folder_ / "out.tpl");
-    const TemplateFile library = cook_file(command, "OMP_NUM_THREADS=3 ");
+    const TemplateFile library = cook_file(command + " --threads 3");
     EXPECT_EQ(content(folder_ / "out.tpl"), first);
     ASSERT_EQ(library.shapes.size(), 300U);
     EXPECT_EQ(library.shapes[17].name, "sand_000017");

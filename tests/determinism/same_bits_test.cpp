@@ -10,7 +10,6 @@
 #include <memory>
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 // The promise of docs/time-loop.md: the state after any number of steps has the same bits for any
 // number of threads, any skin and across any number of restarts.
@@ -160,17 +159,16 @@ Scene mixture_without_slip() {
 
 class SameBits : public testing::TestWithParam<NamedScene> {
   protected:
-    void TearDown() override { omp_set_num_threads(threads_before_); }
+    using Threads = std::vector<int>;
 
-    /// Threads share every list, however small.
-    static Scene made() {
+    /// These threads, in turn from step to step, share every loop, however small.
+    static Scene made(Threads threads) {
         Scene scene = GetParam().make();
-        scene.run.parallel_pairs = 1;
+        scene.run.forced_threads = std::move(threads);
         return scene;
     }
 
-    static std::vector<std::uint64_t> hashes(Scene scene, int threads) {
-        omp_set_num_threads(threads);
+    static std::vector<std::uint64_t> hashes(Scene scene) {
         Simulation simulation(std::move(scene), GetParam().dt);
         std::vector<std::uint64_t> result;
         for (int step = 1; step <= GetParam().steps; ++step) {
@@ -181,32 +179,28 @@ class SameBits : public testing::TestWithParam<NamedScene> {
         EXPECT_GT(simulation.largest_overlap().relative, 0.0);
         return result;
     }
-
-  private:
-    int threads_before_ = omp_get_max_threads();
 };
 
-TEST_P(SameBits, ForAnyNumberOfThreads) {
-    const auto expected = hashes(made(), 1);
-    for (const int threads : {2, 3, 8}) {
-        EXPECT_EQ(hashes(made(), threads), expected) << threads << " threads";
+TEST_P(SameBits, ForAnyNumberOfThreadsAtAnyStep) {
+    const auto expected = hashes(made({1}));
+    for (const Threads& threads : {Threads{2}, Threads{3}, Threads{8}, Threads{1, 2, 3, 8, 1, 5}}) {
+        EXPECT_EQ(hashes(made(threads)), expected) << testing::PrintToString(threads);
     }
 }
 
 TEST_P(SameBits, ForAnySkin) {
-    const auto expected = hashes(made(), 2);
+    const auto expected = hashes(made({2}));
     for (const double skin : {0.02e-3, 0.2e-3, 1e-3}) {
-        Scene scene = made();
+        Scene scene = made({2});
         scene.run.skin = skin;
-        EXPECT_EQ(hashes(std::move(scene), 2), expected) << "skin " << skin;
+        EXPECT_EQ(hashes(std::move(scene)), expected) << "skin " << skin;
     }
 }
 
 // Contacts, motions and batches under way at every restart; each with another number of threads.
 TEST_P(SameBits, AcrossRestarts) {
     const NamedScene& named = GetParam();
-    omp_set_num_threads(2);
-    auto simulation = std::make_unique<Simulation>(made(), named.dt);
+    auto simulation = std::make_unique<Simulation>(made({2}), named.dt);
     std::vector<std::uint64_t> found;
     for (int step = 1; step <= named.steps; ++step) {
         simulation->step();
@@ -215,8 +209,7 @@ TEST_P(SameBits, AcrossRestarts) {
         StateWriter writer;
         simulation->save(writer);
         const Energies before = energies(*simulation);
-        omp_set_num_threads(1 + step % 4);
-        simulation = std::make_unique<Simulation>(made(), named.dt);
+        simulation = std::make_unique<Simulation>(made({1 + step % 4}), named.dt);
         StateReader reader(writer.take(), "memory");
         simulation->load(reader);
         reader.finish();
@@ -224,7 +217,7 @@ TEST_P(SameBits, AcrossRestarts) {
         EXPECT_EQ(before.elastic, after.elastic);
         EXPECT_EQ(before.residual(), after.residual());
     }
-    EXPECT_EQ(found, hashes(made(), 2));
+    EXPECT_EQ(found, hashes(made({2})));
 }
 
 INSTANTIATE_TEST_SUITE_P(

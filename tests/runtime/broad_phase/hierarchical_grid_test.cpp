@@ -2,9 +2,9 @@
 #include "runtime/broad_phase/hierarchical_grid.hpp"
 
 #include "common/random.hpp"
+#include "common/threads/thread_team.hpp"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 namespace dem {
 namespace {
@@ -73,14 +73,12 @@ TEST(HierarchicalGrid, HandlesNoneOneAndPoints) {
 
 TEST(HierarchicalGrid, GivesTheSameForAnyNumberOfThreads) {
     const auto boxes = random_boxes(5000, 12.0, 1.0, Vec3::Zero());
-    const int before = omp_get_max_threads();
-    omp_set_num_threads(1);
     const auto serial = overlapping_pairs(boxes);
-    for (const int threads : {2, 3, 8}) {
-        omp_set_num_threads(threads);
+    for (const int threads : {1, 2, 3, 8}) {
+        ThreadTeam team(threads);
+        const ThreadTeam::InForce together(&team);
         EXPECT_EQ(overlapping_pairs(boxes), serial);
     }
-    omp_set_num_threads(before);
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 #include "shapegen/clump/build_clump.hpp"
 
 #include "common/error.hpp"
+#include "common/threads/thread_team.hpp"
 #include "tests/common/shapes/sample_meshes.hpp"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 namespace dem {
 namespace {
@@ -64,12 +64,10 @@ TEST(BuildClump, FitHalvesTheDeviation) {
 
 TEST(BuildClump, IsTheSameForAnyNumberOfThreads) {
     ClumpOptions options = coarse();
-    const int threads = omp_get_max_threads();
-    omp_set_num_threads(1);
     const BuiltClump one = build_clump(ellipsoid(), options, count(12));
-    omp_set_num_threads(3);
+    ThreadTeam team(3);
+    const ThreadTeam::InForce together(&team);
     const BuiltClump three = build_clump(ellipsoid(), options, count(12));
-    omp_set_num_threads(threads);
     ASSERT_EQ(one.balls.size(), three.balls.size());
     for (std::size_t i = 0; i < one.balls.size(); ++i) {
         EXPECT_EQ(one.balls[i].center, three.balls[i].center);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/thinning/thin.hpp"
 
+#include "common/threads/thread_team.hpp"
 #include "tests/shapegen/thinning/reference_thinning.hpp"
 #include "tests/shapegen/thinning/sample_images.hpp"
 #include "tests/shapegen/thinning/topology.hpp"
@@ -9,7 +10,6 @@
 #include <set>
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 namespace dem {
 namespace {
@@ -144,18 +144,15 @@ TEST(Thin, LeavesTheAxisOfASpheroidAsACurve) {
 }
 
 TEST(Thin, DoesNotDependOnTheNumberOfThreads) {
-    // Enough bricks for the threads to be used.
     const VoxelImage image = test::noise({131, 131, 131}, 0.25, 30);
-    const int before = omp_get_max_threads();
     for (const Skeleton kind : kinds) {
-        omp_set_num_threads(1);
         const VoxelImage alone = thin(image, kind);
         for (const int threads : {2, 3}) {
-            omp_set_num_threads(threads);
+            ThreadTeam team(threads);
+            const ThreadTeam::InForce together(&team);
             EXPECT_EQ(thin(image, kind), alone) << threads;
         }
     }
-    omp_set_num_threads(before);
 }
 
 }  // namespace
