@@ -230,11 +230,22 @@ void check_input_kind(const po::variables_map& values, const CookCommand& comman
                              "--clump-error E% or --convex");
         return;
     }
-    for (const char* option : {"unit", "repair-limit", "largest"})
+    for (const char* option : {"unit", "repair-limit", "largest", "union"})
         if (values.count(option) != 0 && !values[option].defaulted())
-            throw UsageError("--" + std::string(option),
-                             "found it with " + command.input.string() +
-                                 ", expected it with a mesh (.stl, .obj, .ply, .off, .gltf, .glb)");
+            throw UsageError("--" + std::string(option), "found it with " + command.input.string() +
+                                                             ", expected it with a mesh (" +
+                                                             mesh_extensions() + ")");
+}
+
+/// What a file holds is known by its extension alone.
+void check_extension(const std::filesystem::path& input) {
+    if (is_mesh_file(input) || is_convex_file(input) || input.extension() == ".profile") return;
+    const std::string extension = input.extension().string();
+    throw Error(input.string(),
+                "found " +
+                    (extension.empty() ? "no extension" : "the extension '" + extension + "'") +
+                    ", expected a mesh (" + mesh_extensions() +
+                    "), a .profile or a .convex file; CAD programs write models as .stl");
 }
 
 Command parse_cook(const Words& words) {
@@ -245,6 +256,7 @@ Command parse_cook(const Words& words) {
     if (wants_words(values, print)) return print;
     CookCommand command;
     command.input = one_input(values, "a mesh, a .profile or a .convex file");
+    check_extension(command.input);
     const auto clump = read_clump_options(values);
     const auto convex = read_convex_options(values, command.input);
     if (clump)

@@ -14,7 +14,8 @@ po::options_description mesh_options() {
                           "of the file's coordinates: m, mm, um, cm, in; default: mm, m for glTF")(
         "repair-limit", text("F")->default_value("1%"),
         "largest part of the volume that repairs may put at stake")(
-        "largest", "of several bodies in a file keep the largest");
+        "largest", "of several bodies in a file keep the largest")(
+        "union", "make one body of parts that cross, touch or hold each other");
     return options;
 }
 
@@ -32,6 +33,7 @@ MeshLoadOptions read_mesh_options(const po::variables_map& values) {
     options.repair_limit =
         fraction_option(values, "repair-limit", -1e-300, 1.0, "0 or more and below 1 (0.01 or 1%)");
     options.keep_largest = values.count("largest") != 0;
+    options.unite = values.count("union") != 0;
     return options;
 }
 

@@ -3,8 +3,11 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
+#include "formats/shape_parameters.hpp"
 #include "shapegen/import/mesh_file.hpp"
+#include "shapegen/repair/face_triangles.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -31,6 +34,21 @@ std::string size_line(const TriangleMesh& mesh, const MeshLoadOptions& options,
     return out.str();
 }
 
+/// Lengths that a template can hold.
+void check_size(const TriangleSoup& soup) {
+    Aabb box;
+    for (const auto& triangle : soup.triangles)
+        for (const std::uint32_t corner : triangle) box.extend(soup.points[corner]);
+    const double size = (box.upper - box.lower).maxCoeff();
+    const double farthest =
+        std::max(box.upper.cwiseAbs().maxCoeff(), box.lower.cwiseAbs().maxCoeff());
+    if (size >= least_length && farthest <= most_length) return;
+    std::ostringstream words;
+    words << "found a mesh of " << size << " m up to " << farthest
+          << " m from the origin, expected from 1e-12 to 1e6 m; see --unit and --scale";
+    throw Error(words.str());
+}
+
 }  // namespace
 
 LoadedMesh load_mesh(const std::filesystem::path& path, const MeshLoadOptions& options) {
@@ -45,18 +63,24 @@ LoadedMesh load_mesh(const std::filesystem::path& path, const MeshLoadOptions& o
     std::string unit = options.unit;
     if (unit.empty()) unit = file.unit.empty() ? "mm" : file.unit;
     const double file_unit = unit_factor(unit, Dimension::length) * options.scale;
-    for (Vec3& point : file.soup.points) point *= file_unit;
+    const std::vector<std::string> notes = std::move(file.soup.notes);
 
     constexpr double reading = 0.05;  // of the time
     const RepairOptions repair_options{.limit = options.repair_limit,
                                        .keep_largest = options.keep_largest,
+                                       .unite = options.unite,
                                        .file_unit = file_unit,
                                        .progress = [&](double done, std::string_view next) {
                                            stage(reading + (1.0 - reading) * done, next);
                                        }};
     LoadedMesh result;
     try {
-        RepairedMesh repaired = repair(std::move(file.soup), repair_options);
+        RepairReport report;
+        TriangleSoup soup = face_triangles(std::move(file.soup), report);
+        for (Vec3& point : soup.points) point *= file_unit;
+        for (Finding& finding : report.findings) finding.place *= file_unit;
+        check_size(soup);
+        RepairedMesh repaired = repair(std::move(soup), repair_options, std::move(report));
         result.mesh = std::move(repaired.mesh);
         result.report = std::move(repaired.report);
         result.unit = file_unit;
@@ -66,7 +90,7 @@ LoadedMesh load_mesh(const std::filesystem::path& path, const MeshLoadOptions& o
     result.lines.push_back(size_line(result.mesh, options, unit));
     for (std::string& line : describe(result.report, file_unit))
         result.lines.push_back(std::move(line));
-    for (std::string& note : file.notes) result.lines.push_back(std::move(note));
+    result.lines.insert(result.lines.end(), notes.begin(), notes.end());
     return result;
 }
 

@@ -16,6 +16,7 @@ struct MeshLoadOptions {
     double scale = 1.0;  ///< all lengths are multiplied by it
     double repair_limit = 0.01;
     bool keep_largest = false;
+    bool unite = false;                ///< parts that cross, touch or hold each other
     StageProgress progress = nullptr;  ///< may be empty
 };
 

@@ -63,11 +63,10 @@ SurfaceMesh oriented_surface(const TriangleSoup& soup, RepairReport& report) {
     for (const auto& [i, j, k] : soup.triangles) polygons.push_back({i, j, k});
 
     pmp::orient_polygon_soup(points, polygons);
-    if (points.size() > soup.points.size()) {
-        report.findings.push_back({"points where surfaces meet in a corner or an edge",
-                                   points.size() - soup.points.size(),
-                                   to_vec3(points[soup.points.size()]), "split"});
-    }
+    if (points.size() > soup.points.size())
+        report.add({"points where surfaces meet in a corner or an edge",
+                    points.size() - soup.points.size(), to_vec3(points[soup.points.size()]),
+                    "split"});
     std::vector<bool> turned(polygons.size());
     for (std::size_t t = 0; t < polygons.size(); ++t)
         turned[t] = is_turned(soup.triangles[t], polygons[t], points);

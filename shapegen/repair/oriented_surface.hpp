@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "shapegen/import/triangle_soup.hpp"
 #include "shapegen/repair/repair_report.hpp"
 #include "shapegen/repair/surface_mesh.hpp"
+#include "shapegen/repair/triangle_soup.hpp"
 
 namespace dem {
 

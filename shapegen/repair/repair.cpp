@@ -2,12 +2,15 @@
 #include "shapegen/repair/repair.hpp"
 
 #include "common/error.hpp"
+#include "shapegen/repair/duplicates.hpp"
 #include "shapegen/repair/holes.hpp"
 #include "shapegen/repair/oriented_surface.hpp"
 #include "shapegen/repair/self_intersections.hpp"
 #include "shapegen/repair/shells.hpp"
 #include "shapegen/repair/soup_cleaning.hpp"
 #include "shapegen/repair/t_junctions.hpp"
+#include "shapegen/repair/touching_parts.hpp"
+#include "shapegen/repair/unite_parts.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -34,6 +37,7 @@ void clean(TriangleSoup& soup, RepairReport& report) {
     split_at_t_junctions(soup, distance, report);
     remove_collapsed(soup, report);
     remove_duplicates(soup, report);
+    part_touching_bodies(soup, report);
     if (soup.triangles.empty())
         throw Error("found no triangles with an area, expected a closed surface");
 }
@@ -63,15 +67,16 @@ void check_limit(const RepairReport& report, const RepairOptions& options) {
 
 }  // namespace
 
-RepairedMesh repair(TriangleSoup soup, const RepairOptions& options) {
+RepairedMesh repair(TriangleSoup soup, const RepairOptions& options, RepairReport before) {
     const auto stage = [&options](double done, std::string_view next) {
         if (options.progress) options.progress(done, next);
     };
     // The parts of the time that the stages take for two million triangles.
-    RepairedMesh result;
+    RepairedMesh result{{}, std::move(before)};
     RepairReport& report = result.report;
     stage(0.0, "joining triangles");
-    clean(soup, report);
+    // Parts that the file tells apart are not to be joined where they touch.
+    if (!options.unite || !has_closed_parts(soup)) clean(soup, report);
     stage(0.32, "orienting triangles");
     SurfaceMesh surface = oriented_surface(soup, report);
     soup = {};
@@ -79,11 +84,13 @@ RepairedMesh repair(TriangleSoup soup, const RepairOptions& options) {
     std::vector<Finding> refused = close_holes(surface, options.limit, report);
     std::ranges::move(remove_flat_triangles(surface, report), std::back_inserter(refused));
     stage(0.62, "looking for crossing triangles");
-    if (refused.empty()) {
-        refused = remove_self_intersections(surface, report);
-    } else if (Finding crossing = self_intersections(surface); crossing.count > 0) {
-        refused.push_back(crossing);
+    if (refused.empty() && options.unite) {
+        refused = unite_parts(surface, report);
+        std::ranges::move(remove_flat_triangles(surface, report), std::back_inserter(refused));
     }
+    std::ranges::move(refused.empty() ? remove_self_intersections(surface, report)
+                                      : self_intersections(surface).findings(),
+                      std::back_inserter(refused));
     stage(0.98, "sorting shells");
     if (refused.empty()) {
         result.mesh = triangle_mesh(surface);

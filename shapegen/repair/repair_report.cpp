@@ -6,6 +6,17 @@
 
 namespace dem {
 
+void RepairReport::add(const Finding& finding) {
+    if (finding.count == 0) return;
+    for (Finding& other : findings)
+        if (other.what == finding.what && other.treatment == finding.treatment) {
+            other.count += finding.count;
+            other.volume += finding.volume;
+            return;
+        }
+    findings.push_back(finding);
+}
+
 double RepairReport::changed_fraction() const {
     double sum = 0.0;
     for (const Finding& finding : findings) sum += finding.volume;
@@ -14,6 +25,8 @@ double RepairReport::changed_fraction() const {
 
 std::string percentage(double fraction) {
     std::ostringstream out;
+    constexpr double most = 10.0;  // beyond, the volume itself means nothing
+    if (fraction > most) return "more than 1000 %";
     if (fraction >= 0.1) {
         out << std::fixed << std::setprecision(0);
     } else {

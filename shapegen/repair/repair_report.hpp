@@ -22,6 +22,8 @@ struct RepairReport {
     std::vector<Finding> findings;
     double volume = 0.0;  ///< of the solid [m^3]
 
+    /// Adds a finding, to the one of the same kind when there is one already.
+    void add(const Finding& finding);
     /// Fraction of the volume that the repairs changed or may have got wrong.
     double changed_fraction() const;
 };
@@ -34,7 +36,7 @@ std::string describe(const Finding& finding, double file_unit, double volume);
 /// One line per finding, then the fraction in all.
 std::vector<std::string> describe(const RepairReport& report, double file_unit);
 
-/// "0.21 %", "3510 %": two digits, whole numbers from 10 % on.
+/// "0.21 %", "351 %", "more than 1000 %": two digits, whole numbers from 10 % on.
 std::string percentage(double fraction);
 
 }  // namespace dem

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <utility>
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -53,36 +55,76 @@ bool touch_only_where_joined(const SurfaceMesh& mesh, Face first, Face second) {
            !CGAL::do_intersect(Kernel::Triangle_3(b[0], b[1], b[2]), Kernel::Segment_3(a[1], a[2]));
 }
 
+using PartMap = SurfaceMesh::Property_map<Face, std::size_t>;
+
+/// Whether each part of the surface is closed.
+std::vector<bool> closed_parts(const SurfaceMesh& mesh, const PartMap& part_of, std::size_t parts) {
+    std::vector<bool> is_closed(parts, true);
+    for (const Face face : mesh.faces())
+        for (const auto h : CGAL::halfedges_around_face(mesh.halfedge(face), mesh))
+            if (mesh.is_border(mesh.opposite(h))) is_closed[part_of[face]] = false;
+    return is_closed;
+}
+
+void note(Finding& finding, const SurfaceMesh& mesh, Face face) {
+    if (finding.count++ == 0) finding.place = to_vec3(corners(mesh, face)[0]);
+}
+
 }  // namespace
 
-Finding self_intersections(const SurfaceMesh& mesh) {
-    std::vector<std::pair<Face, Face>> pairs;
-    pmp::self_intersections(mesh, std::back_inserter(pairs));
+std::vector<CrossingPair> crossing_pairs(const SurfaceMesh& mesh) {
+    std::vector<CrossingPair> pairs;
+    const auto most = static_cast<unsigned>(20 * mesh.number_of_faces() + 1000);
+    pmp::self_intersections(mesh, std::back_inserter(pairs),
+                            CGAL::parameters::maximum_number(most));
     std::erase_if(pairs, [&mesh](const auto& pair) {
         return touch_only_where_joined(mesh, pair.first, pair.second);
     });
-    Finding finding{.what = "pairs of crossing triangles",
-                    .treatment = "expected a surface that does not cross itself"};
-    finding.count = pairs.size();
-    if (!pairs.empty()) {
-        const Face first = std::min_element(pairs.begin(), pairs.end())->first;
-        finding.place = to_vec3(corners(mesh, first)[0]);
+    for (auto& [first, second] : pairs)
+        if (second < first) std::swap(first, second);
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+std::vector<Finding> SelfIntersections::findings() const {
+    std::vector<Finding> result;
+    for (const Finding& finding : {within, between})
+        if (finding.count > 0) result.push_back(finding);
+    return result;
+}
+
+SelfIntersections self_intersections(SurfaceMesh& mesh) {
+    SelfIntersections result{crossing_pairs(mesh),
+                             {.what = "pairs of crossing triangles",
+                              .treatment = "expected a surface that does not cross itself"},
+                             {.what = "pairs of triangles where closed parts cross or share a face",
+                              .treatment = "expected parts that keep apart; --union joins them"}};
+    if (result.pairs.empty()) return result;
+    PartMap part_of = mesh.add_property_map<Face, std::size_t>("f:part").first;
+    const std::vector<bool> is_closed =
+        closed_parts(mesh, part_of, pmp::connected_components(mesh, part_of));
+    for (const auto& [first, second] : result.pairs) {
+        const std::size_t a = part_of[first];
+        const std::size_t b = part_of[second];
+        const bool is_between = a != b && is_closed[a] && is_closed[b];
+        note(is_between ? result.between : result.within, mesh, first);
     }
-    return finding;
+    mesh.remove_property_map(part_of);
+    return result;
 }
 
 std::vector<Finding> remove_self_intersections(SurfaceMesh& mesh, RepairReport& report) {
-    Finding found = self_intersections(mesh);
-    if (found.count == 0) return {};
-    if (50 * found.count > mesh.number_of_faces()) return {found};
+    const SelfIntersections found = self_intersections(mesh);
+    if (found.between.count > 0 || 50 * found.within.count > mesh.number_of_faces())
+        return found.findings();
+    if (found.within.count == 0) return {};
     const double before = CGAL::to_double(pmp::volume(mesh));
     pmp::experimental::remove_self_intersections(mesh);
-    if (!CGAL::is_closed(mesh)) return {found};
-    Finding left = self_intersections(mesh);
-    if (left.count > 0) return {found};
-    found.treatment = "cut out and closed anew";
-    found.volume = std::abs(CGAL::to_double(pmp::volume(mesh)) - before);
-    report.findings.push_back(found);
+    if (!CGAL::is_closed(mesh) || !crossing_pairs(mesh).empty()) return found.findings();
+    Finding removed = found.within;
+    removed.treatment = "cut out and closed anew";
+    removed.volume = std::abs(CGAL::to_double(pmp::volume(mesh)) - before);
+    report.findings.push_back(removed);
     return {};
 }
 

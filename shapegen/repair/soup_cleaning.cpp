@@ -7,7 +7,6 @@
 #include <map>
 #include <numeric>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
 namespace dem {
@@ -39,27 +38,11 @@ void renumber(TriangleSoup& soup, const std::vector<std::uint32_t>& new_name) {
         for (std::uint32_t& corner : triangle) corner = position[corner];
 }
 
-/// Keeps the triangles of which `keep` is true, reports the others.
-template <class Keep>
-void filter(TriangleSoup& soup, const Keep& keep, Finding finding, RepairReport& report) {
-    std::size_t kept = 0;
-    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-        if (keep(t)) {
-            soup.triangles[kept++] = soup.triangles[t];
-        } else if (finding.count++ == 0) {
-            finding.place = soup.points[soup.triangles[t][0]];
-        }
-    }
-    if (finding.count == 0) return;
-    soup.triangles.resize(kept);
-    report.findings.push_back(std::move(finding));
-}
-
 std::vector<std::uint32_t> open_points(const TriangleSoup& soup) {
     std::vector<std::uint32_t> points;
-    for (const auto& [triangle, side] : open_edges(soup)) {
-        points.push_back(soup.triangles[triangle][side]);
-        points.push_back(soup.triangles[triangle][(side + 1) % 3]);
+    for (const EdgeSide& side : open_edges(soup)) {
+        points.push_back(side.low);
+        points.push_back(side.high);
     }
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -68,30 +51,20 @@ std::vector<std::uint32_t> open_points(const TriangleSoup& soup) {
 
 }  // namespace
 
-std::vector<SoupEdge> open_edges(const TriangleSoup& soup) {
-    // Ends in rising order, then which triangle has them where.
-    std::vector<std::tuple<std::uint32_t, std::uint32_t, std::size_t, std::size_t>> edges;
-    edges.reserve(3 * soup.triangles.size());
-    for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-        for (std::size_t side = 0; side < 3; ++side) {
-            const std::uint32_t a = soup.triangles[t][side];
-            const std::uint32_t b = soup.triangles[t][(side + 1) % 3];
-            edges.emplace_back(std::min(a, b), std::max(a, b), t, side);
-        }
-    std::sort(edges.begin(), edges.end());
-    const auto same_ends = [&edges](std::size_t e, std::size_t f) {
-        return std::get<0>(edges[e]) == std::get<0>(edges[f]) &&
-               std::get<1>(edges[e]) == std::get<1>(edges[f]);
-    };
-    std::vector<SoupEdge> open;
-    for (std::size_t first = 0; first < edges.size();) {
-        std::size_t end = first + 1;
-        while (end < edges.size() && same_ends(first, end)) ++end;
-        if (end - first == 1)
-            open.push_back({std::get<2>(edges[first]), std::get<3>(edges[first])});
-        first = end;
-    }
+std::vector<EdgeSide> open_edges(const TriangleSoup& soup) {
+    std::vector<EdgeSide> open;
+    const std::vector<EdgeSide> sides = sides_by_edge(soup);
+    visit_edges(sides, [&open](auto begin, auto end) {
+        if (end - begin == 1) open.push_back(*begin);
+    });
     return open;
+}
+
+void keep_triangles(TriangleSoup& soup, const std::vector<bool>& is_kept) {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+        if (is_kept[t]) soup.triangles[kept++] = soup.triangles[t];
+    soup.triangles.resize(kept);
 }
 
 void share_points(TriangleSoup& soup) {
@@ -110,40 +83,15 @@ void share_points(TriangleSoup& soup) {
 }
 
 void remove_collapsed(TriangleSoup& soup, RepairReport& report) {
-    const auto keep = [&soup](std::size_t t) {
-        const auto& [i, j, k] = soup.triangles[t];
-        return i != j && j != k && k != i;
-    };
-    filter(soup, keep, {.what = "triangles with two corners in one point", .treatment = "removed"},
-           report);
-}
-
-void remove_duplicates(TriangleSoup& soup, RepairReport& report) {
-    // Sorted corners, whether the triangle turns like them, its index.
-    std::vector<std::tuple<Triangle, bool, std::size_t>> sorted;
-    sorted.reserve(soup.triangles.size());
-    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-        const Triangle& corners = soup.triangles[t];
-        Triangle key = corners;
-        std::sort(key.begin(), key.end());
-        const auto start = std::find(corners.begin(), corners.end(), key[0]) - corners.begin();
-        const bool is_even = corners[static_cast<std::size_t>(start + 1) % 3] == key[1];
-        sorted.emplace_back(key, is_even, t);
+    Finding finding{.what = "triangles with two corners in one point", .treatment = "removed"};
+    std::vector<bool> is_kept;
+    is_kept.reserve(soup.triangles.size());
+    for (const auto& [i, j, k] : soup.triangles) {
+        is_kept.push_back(i != j && j != k && k != i);
+        if (!is_kept.back() && finding.count++ == 0) finding.place = soup.points[i];
     }
-    std::sort(sorted.begin(), sorted.end());
-    std::vector<bool> is_kept(soup.triangles.size(), false);
-    for (std::size_t first = 0; first < sorted.size();) {
-        std::size_t end = first;
-        std::size_t odd = 0;
-        while (end < sorted.size() && std::get<0>(sorted[end]) == std::get<0>(sorted[first]))
-            odd += std::get<1>(sorted[end++]) ? 0 : 1;
-        const std::size_t even = end - first - odd;  // sorted after the odd ones
-        if (odd > even) is_kept[std::get<2>(sorted[first])] = true;
-        if (even > odd) is_kept[std::get<2>(sorted[first + odd])] = true;
-        first = end;
-    }
-    const auto keep = [&is_kept](std::size_t t) { return is_kept[t]; };
-    filter(soup, keep, {.what = "duplicate triangles", .treatment = "removed"}, report);
+    keep_triangles(soup, is_kept);
+    report.add(finding);
 }
 
 void close_cracks(TriangleSoup& soup, double distance, RepairReport& report) {
@@ -180,7 +128,7 @@ void close_cracks(TriangleSoup& soup, double distance, RepairReport& report) {
     }
     if (finding.count == 0) return;
     renumber(soup, new_name);
-    report.findings.push_back(finding);
+    report.add(finding);
 }
 
 }  // namespace dem

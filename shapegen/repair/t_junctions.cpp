@@ -15,11 +15,11 @@ namespace {
 using Points = std::vector<std::uint32_t>;
 
 /// The ends of the open edges, sorted by each coordinate, to look up those near an edge.
-std::array<Points, 3> sorted_ends(const TriangleSoup& soup, const std::vector<SoupEdge>& edges) {
+std::array<Points, 3> sorted_ends(const TriangleSoup& soup, const std::vector<EdgeSide>& edges) {
     std::array<Points, 3> sorted;
-    for (const auto& [triangle, side] : edges) {
-        sorted[0].push_back(soup.triangles[triangle][side]);
-        sorted[0].push_back(soup.triangles[triangle][(side + 1) % 3]);
+    for (const EdgeSide& edge : edges) {
+        sorted[0].push_back(edge.low);
+        sorted[0].push_back(edge.high);
     }
     std::sort(sorted[0].begin(), sorted[0].end());
     sorted[0].erase(std::unique(sorted[0].begin(), sorted[0].end()), sorted[0].end());
@@ -76,11 +76,13 @@ Points points_on_edge(const TriangleSoup& soup, const std::array<Points, 3>& sor
 
 /// Splits every triangle at one of its edges at most. Returns whether any was split.
 bool split_once(TriangleSoup& soup, double distance, Finding& finding) {
-    const std::vector<SoupEdge> edges = open_edges(soup);
+    const std::vector<EdgeSide> edges = open_edges(soup);
     const std::array<Points, 3> sorted = sorted_ends(soup, edges);
     const std::size_t before = soup.triangles.size();
     std::vector<bool> is_split(before, false);
-    for (const auto& [triangle, side] : edges) {
+    for (const EdgeSide& edge : edges) {
+        const std::size_t triangle = edge.triangle();
+        const std::size_t side = edge.side();
         if (is_split[triangle]) continue;
         const std::uint32_t a = soup.triangles[triangle][side];
         const std::uint32_t b = soup.triangles[triangle][(side + 1) % 3];
@@ -105,7 +107,7 @@ void split_at_t_junctions(TriangleSoup& soup, double distance, RepairReport& rep
     Finding finding{.what = "corners on the edge of a neighbor", .treatment = "neighbor split"};
     // A triangle has three edges; each round leaves fewer points inside the open ones.
     for (int round = 0; round < 3 && split_once(soup, distance, finding); ++round) continue;
-    if (finding.count > 0) report.findings.push_back(finding);
+    report.add(finding);
 }
 
 }  // namespace dem

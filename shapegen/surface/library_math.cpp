@@ -8,6 +8,7 @@
 extern "C" {
 double __wrap_sin(double x);
 double __wrap_cos(double x);
+void __wrap_sincos(double x, double* sine, double* cosine);
 double __wrap_asin(double x);
 double __wrap_acos(double x);
 double __wrap_atan(double x);
@@ -23,6 +24,12 @@ double __wrap_sin(double x) {
 }
 double __wrap_cos(double x) {
     return dem::math::cos(x);
+}
+/// What the compiler makes of a sine and a cosine of one angle.
+void __wrap_sincos(double x, double* sine, double* cosine) {
+    const dem::math::SineCosine both = dem::math::sin_cos(x);
+    *sine = both.sine;
+    *cosine = both.cosine;
 }
 double __wrap_asin(double x) {
     return dem::math::asin(x);

@@ -228,6 +228,32 @@ TEST_F(ShapegenCli, NamesAFileThatIsMissingOrOfTheWrongKind) {
                    "expected --clump C, --clump-spheres N, --clump-error E% or --convex");
 }
 
+TEST_F(ShapegenCli, NamesTheExtensionThatItDoesNotRead) {
+    for (const char* name :
+         {"part.step", "part.stp", "part.iges", "part.3mf", "part.vtk", "part.shp"}) {
+        write(name, "whatever");
+        const std::string extension = std::filesystem::path(name).extension().string();
+        for (const char* mode : {"", " --clump 0.9", " --convex"})
+            expect_failure(run(name + std::string(mode)), 1,
+                           std::string(name) + ": found the extension '" + extension +
+                               "', expected a mesh (.stl, .obj, .ply, .off, .gltf or .glb), a "
+                               ".profile or a .convex file");
+    }
+    expect_failure(run("part"), 1, "part: found no extension, expected a mesh");
+}
+
+TEST_F(ShapegenCli, MakesOneBodyOfPartsWhenAsked) {
+    const std::string parts =
+        "'" DEM_SOURCE_DIR "/tests/shapegen/import/faults/overlapping_boxes.obj'";
+    expect_failure(run(parts + " --convex"), 1, "--union joins them");
+    const Result result = run(parts + " --convex --rounding 0% --union --unit m -o parts.tpl");
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.out.find("parts that cross, touch or hold each other: 2"), std::string::npos);
+    const TemplateFile file = read_template(folder_ / "parts.tpl");
+    EXPECT_NEAR(file.shapes.at(0).mass_properties.volume, 1.9, 1e-12);
+    expect_failure(run(profiles + "tablet.profile --union"), 2, "expected it with a mesh");
+}
+
 TEST_F(ShapegenCli, NeverOverwritesItsInput) {
     write("ball.profile", "units = mm\nshape = sphere\nradius = 2\n");
     const std::string before = content(folder_ / "ball.profile");

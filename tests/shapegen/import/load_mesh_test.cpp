@@ -6,6 +6,7 @@
 #include "tests/common/shapes/sample_meshes.hpp"
 #include "tests/formats/temporary_folder.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -152,6 +153,85 @@ TEST_F(LoadMesh, UnitsAreSaidAndScaled) {
     EXPECT_NE(refusal(stl, {.unit = "mm", .scale = 0.0}).find("--scale"), std::string::npos);
 }
 
+const std::filesystem::path faults = DEM_SOURCE_DIR "/tests/shapegen/import/faults";
+
+bool says(const LoadedMesh& mesh, const std::string& words) {
+    return std::any_of(mesh.lines.begin(), mesh.lines.end(), [&words](const std::string& line) {
+        return line.find(words) != std::string::npos;
+    });
+}
+
+TEST_F(LoadMesh, WhatWritersDoIsReadWithTheRightVolume) {
+    struct Case {
+        std::string file;
+        double volume;
+        std::string words;  // said about it
+        bool unite = false;
+    };
+    const Case cases[] = {
+        {"vertex_w.obj", 1.0, "weights of vertices: 7 passed over"},
+        {"concave_ngon_L.obj", 3.0, ""},
+        {"double_sided_cube.obj", 1.0, "triangles of a body that is drawn on both sides: 12"},
+        {"leading_dot.obj", 1.0, ""},
+        {"binary_trailing_bytes.stl", 1.0, "found 721 bytes, expected 84 + 50 x 12 = 684"},
+        {"abutting_boxes.obj", 2.0, "triangles that face each other in one place"},
+        {"abutting_boxes.obj", 2.0, "parts that cross, touch or hold each other: 2", true},
+        {"overlapping_boxes.obj", 1.9, "5 % of their volume was drawn twice", true}};
+    for (const Case& c : cases) {
+        const LoadedMesh loaded = load_mesh(faults / c.file, {.unit = "m", .unite = c.unite});
+        EXPECT_NEAR(enclosed_volume(loaded.mesh), c.volume, 1e-12) << c.file;
+        EXPECT_TRUE(says(loaded, c.words)) << c.file;
+    }
+    const LoadedMesh concave = load_mesh(faults / "concave_ngon_L.obj", {.unit = "m"});
+    EXPECT_LT(
+        (mass_properties(concave.mesh).center_of_mass - Vec3(5.0 / 6.0, 5.0 / 6.0, 0.5)).norm(),
+        1e-12);
+    EXPECT_NE(refusal(faults / "overlapping_boxes.obj").find("--union joins them"),
+              std::string::npos);
+}
+
+TEST_F(LoadMesh, FilesThatHoldLessThanTheyPromiseGiveALineWithItsPlace) {
+    const std::pair<std::string, std::string> cases[] = {
+        {"missing_face.off", ":11: found the end, expected face 5 of 5"},
+        {"index_out_of_range.off", ":9: found '9', expected one of the 4 vertices"},
+        {"quad_out_of_range.ply", ":16: found vertex 99999999 as a corner, expected one of the 4"},
+        {"one_face_too_few.ply", ":18: found the end, expected face 5 of 5"}};
+    for (const auto& [file, words] : cases)
+        EXPECT_EQ(refusal(faults / file).rfind((faults / file).string() + words, 0), 0U)
+            << refusal(faults / file);
+}
+
+TEST_F(LoadMesh, MaterialFilesAreNoBodysBusiness) {
+    const auto path =
+        written("box.obj", "mtllib nowhere.mtl\nusemtl red\n" + listed(box, "v ", "f ", 1));
+    EXPECT_EQ(load_mesh(path).lines.size(), 1U);
+}
+
+TEST_F(LoadMesh, NodesNestedThousandsOfTimesGiveAMeshOrALine) {
+    const std::string whole = gltf(box);
+    const std::string nodes = R"("nodes": [{"mesh": 0, "translation": [10, 0, 0]}])";
+    for (const int depth : {100, 3000, 200000}) {
+        std::string nested = R"("nodes": [)";
+        for (int k = 1; k <= depth; ++k) nested += R"({"children": [)" + std::to_string(k) + "]},";
+        nested += R"({"mesh": 0}])";
+        std::string text = whole;
+        text.replace(text.find(nodes), nodes.size(), nested);
+        const auto path = written("nested.gltf", text);
+        const std::string line = refusal(path);
+        EXPECT_TRUE(line.empty() || line.rfind(path.string() + ": ", 0) == 0) << line;
+        EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+    }
+}
+
+TEST_F(LoadMesh, SizesThatNoTemplateHoldsAreRefused) {
+    for (const char* scale : {"1e300", "1e-300", "1e20"}) {
+        const std::string s = scale;
+        const auto path = written("box.obj", "v 0 0 0\nv " + s + " 0 0\nv 0 " + s + " 0\nv 0 0 " +
+                                                 s + "\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+        EXPECT_NE(refusal(path).find("expected from 1e-12 to 1e6 m"), std::string::npos) << s;
+    }
+}
+
 TEST_F(LoadMesh, BadFilesGiveOneLineThatNamesThem) {
     std::string not_a_number = stl_binary(box);
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -163,13 +243,13 @@ TEST_F(LoadMesh, BadFilesGiveOneLineThatNamesThem) {
         {"nowhere.stl", "no such file"},
         {written("empty.stl", ""), "an empty file"},
         {written("box.step", "ISO-10303-21;"), "the extension '.step'"},
-        {written("garbage.stl", "one two three\nfour"), "expected a mesh"},
+        {written("garbage.stl", "one two three\nfour"), "expected STL"},
         {written("garbage.obj", "once upon a time\n"), "expected"},
         {written("garbage.ply", "ply\nno header"), "expected"},
         {written("garbage.off", "OFF\nmany points\n"), "expected"},
         {written("garbage.gltf", "{\"asset\""), "expected"},
         {written("nan.stl", not_a_number), "not a finite number"},
-        {written("truncated.stl", truncated), "expected a mesh"},
+        {written("truncated.stl", truncated), "expected 84 + 50 x 12"},
         {written("one.stl", stl_text(one)), "encloses no volume"},
         {written("no_faces.stl", "solid nothing\nendsolid nothing\n"), "expected"}};
     for (const auto& [path, expected] : cases) {
