@@ -254,7 +254,7 @@ TEST_F(LoadMesh, BadFilesGiveOneLineThatNamesThem) {
         {written("no_faces.stl", "solid nothing\nendsolid nothing\n"), "expected"}};
     for (const auto& [path, expected] : cases) {
         const std::string message = refusal(path);
-        EXPECT_EQ(message.rfind(path.string() + ": ", 0), 0U) << path << message;
+        EXPECT_EQ(message.rfind(path.string() + ":", 0), 0U) << path << message;
         EXPECT_NE(message.find(expected), std::string::npos) << path << message;
         EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     }

@@ -132,8 +132,9 @@ TEST(PlyReader, WhatItDoesNotHoldIsRefusedWithItsPlace) {
              points + "3 0 1 2\n",
          "x:9: found no property 'vertex_indices' of 'face' that is a list of whole numbers"},
         {header("ascii",
-                vertices + "element face 100000000\nproperty list uchar int vertex_index\n"),
-         "x:9: found 100000000 'face' promised, expected no more than fit the file (0)"},
+                vertices + "element face 100000000\nproperty list uchar int vertex_index\n") +
+             points,
+         "x:9: found 100000000 'face' promised, expected no more than fit the file ("},
         {start + points + "3 0 1 2\n", "x:17: found the end, expected face 2 of 2"},
         {start + points + "3 0 1 2\n0\n", "x:17: found a face of 0 corners, expected three"},
         {start + points + "3 0 1 2\n3 0 1 4\n", "x:17: found vertex 4 as a corner, expected one"},
@@ -142,7 +143,7 @@ TEST(PlyReader, WhatItDoesNotHoldIsRefusedWithItsPlace) {
         {start + points + "3 0 1 2\n3 0 1 2 3\n", "x:17: found '3', expected the end of the line"},
         {start + points + "3 0 1 2\n99 0 1 2\n", "x:17: found a list of 99 numbers, expected at"},
         {start + points + "3 0 1 2\n3 0 1 2\n3 0 1 2\n", "x:18: found more data, expected the end"},
-        {start + "0 0 1e999\n", "x:12: found '1e999', expected a coordinate"}};
+        {start + "0 0 1e999\n" + points, "x:12: found '1e999', expected a coordinate"}};
     for (const auto& [text, expected] : cases)
         EXPECT_EQ(refusal_of(read_ply, text).rfind(expected, 0), 0U) << refusal_of(read_ply, text);
 }
