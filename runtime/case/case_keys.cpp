@@ -107,9 +107,11 @@ constexpr Key contact_keys[] = {
      .doc = "Coulomb's coefficient of sliding friction; needed likewise"},
     {.name = "tangential",
      .type = choice,
-     .standard = "ratio",
+     .standard = "mindlin",
      .words = "ratio mindlin",
-     .doc = "tangential stiffness: `stiffness_ratio` times the normal one, or 8 G* sqrt(R* delta)"},
+     .doc =
+         "tangential stiffness: `stiffness_ratio` times the normal one, as in the papers, or 8 G* "
+         "sqrt(R* delta)"},
     {.name = "stiffness_ratio",
      .range = not_negative,
      .standard = "0.2857142857142857",

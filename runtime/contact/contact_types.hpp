@@ -54,7 +54,7 @@ struct ContactLaw {
 
     Model model = Model::hertz;
     Method method = Method::automatic;
-    Tangential tangential = Tangential::ratio;
+    Tangential tangential = Tangential::mindlin;
     DampingMass damping_mass = DampingMass::contact;
     MultiContact multi_contact = MultiContact::norm;
     Radius radius = Radius::onset;

@@ -56,6 +56,10 @@ TEST(ReadScene, APairOfMaterialsTakesItsOwnValuesAndTheRestFromContact) {
     EXPECT_DOUBLE_EQ(general.damping_ratio, ContactLaw{}.damping_ratio);
 }
 
+TEST(ReadScene, TangentialStiffnessIsMindlinsUnlessSaidOtherwise) {
+    EXPECT_EQ(scene_of(sphere_case()).laws.at(0, 0).tangential, ContactLaw::Tangential::mindlin);
+}
+
 // The words of the key table stand in the order of the enums they become.
 TEST(ReadScene, EveryWordOfAChoiceBecomesTheEnumOfTheSameName) {
     const auto law = [](const std::string& assignment) {
@@ -65,6 +69,7 @@ TEST(ReadScene, EveryWordOfAChoiceBecomesTheEnumOfTheSameName) {
     EXPECT_EQ(law("contact.contact=continuous").method, ContactLaw::Method::continuous);
     EXPECT_EQ(law("contact.contact=nodes").method, ContactLaw::Method::nodes);
     EXPECT_EQ(law("contact.tangential=mindlin").tangential, ContactLaw::Tangential::mindlin);
+    EXPECT_EQ(law("contact.tangential=ratio").tangential, ContactLaw::Tangential::ratio);
     EXPECT_EQ(law("contact.multi_contact=sum").multi_contact, ContactLaw::MultiContact::sum);
     EXPECT_EQ(law("contact.multi_contact=deepest").multi_contact,
               ContactLaw::MultiContact::deepest);
