@@ -97,7 +97,8 @@ struct PointHistory {
     StoredVec3 spring;  ///< tangential spring, half a step ahead [m], normal to `normal`
     double effective_radius = 0.0;  ///< R* frozen at the onset of the contact [m]
     double phase = 0.0;      ///< age in radians of its own oscillation; counts in laps once settled
-    double stiffness = 0.0;  ///< k_t of the step before [N/m]; for the energy ledger alone
+    double stiffness = 0.0;  ///< k_t of the step before [N/m]
+    double dissipated = 0.0;  ///< by the contact so far; a stiffness that grows gives no more [J]
 };
 static_assert(std::is_trivially_copyable_v<PointHistory>);
 

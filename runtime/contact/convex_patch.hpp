@@ -186,6 +186,7 @@ struct ConvexHistory {
     double stiffness = 0.0;         ///< of the spring in the step before [N/m]
     double twist_stiffness = 0.0;   ///< [N m]
     double weight = 0.0;            ///< of the features together in the step before
+    double dissipated = 0.0;        ///< so far; a stiffness that grows gives no more [J]
     double deepest = 0.0;           ///< overlap so far [m]; with `held` for laws without slip only
     double held = 0.0;   ///< longest spring over overlap, while that was no less than half
     SearchStart search;  ///< where the search for the distance starts

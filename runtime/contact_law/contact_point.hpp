@@ -31,11 +31,12 @@ struct PatchHistory {
         std::uint64_t feature = 0;
         StoredVec3 normal;
         StoredVec3 spring;       ///< [m]
-        double stiffness = 0.0;  ///< k_t of the step before [N/m]; for the energy ledger alone
+        double stiffness = 0.0;  ///< k_t of the step before [N/m]
     };
     double effective_radius = 0.0;  ///< R* frozen at onset [m]
     double phase = 0.0;             ///< age in radians of its own oscillation
-    std::uint64_t used = 0;         ///< slots in use, the first ones
+    double dissipated = 0.0;  ///< by the pair so far; a stiffness that grows gives no more [J]
+    std::uint64_t used = 0;   ///< slots in use, the first ones
     std::array<Slot, slot_count> slots;
 };
 static_assert(std::is_trivially_copyable_v<PatchHistory>);

@@ -133,19 +133,21 @@ void add_friction(const Patch& patch, const FeatureSum& features, const ContactL
     const Vec3 u = relative_velocity(pair, patch.center);
     const Vec3 u_t = u - u.dot(n) * n;
     Vec3 spring = Vec3::Zero();
+    double before = history.stiffness;
     if (history.effective_radius > 0.0) {
         const double spin = 0.5 * n.dot(pair.i.angular_velocity + pair.j.angular_velocity);
         spring = hertz::carried(history.spring, history.normal, n, spin * dt);
         // As the twist below.
         const double kept = std::min(history.weight / patch.weight, 1.0);
-        contact.dissipated_energy +=
-            0.5 * history.stiffness * (1.0 - square(kept)) * spring.squaredNorm();
+        contact.dissipated_energy += 0.5 * before * (1.0 - kept) * spring.squaredNorm();
+        before /= kept;
         spring *= kept;
     } else {
         history.twist = 0.0;
     }
     const double k_t = patch.c.k_t * patch.weight;
-    contact.dissipated_energy += hertz::softening_loss(history.stiffness, k_t, spring);
+    contact.dissipated_energy +=
+        hertz::restiffen(before, k_t, history.dissipated + contact.dissipated_energy, spring);
     const SpringForce force = spring_force(patch, law, u_t, dt, history, spring);
     if (force.push > 0.0) add_push(features, force.push, contact);
     const hertz::TangentialForce& t = force.along;
@@ -190,6 +192,7 @@ PairContact contact_force(const FeatureSum& features, double local_radius, const
     history.normal = patch.normal;
     contact.overlap = patch.overlap;
     contact.points = features.count();
+    history.dissipated += contact.dissipated_energy;
     contact.dissipated_energy +=
         hertz::age(law, local_radius, radius, patch.c.frequency * dt, elastic, history);
     return contact;

@@ -118,28 +118,30 @@ inline double dashpot_share(const ContactLaw& law, const Coefficients& c, double
 
 /// Lets R* drift, ages the contact by `turn` [rad] and returns what the change of R* took away of
 /// the energy `elastic` of the normal spring [J], which goes with sqrt(R*). What it takes from the
-/// tangential spring, softening_loss finds in the next step.
+/// tangential spring, restiffen() finds in the next step. `history.dissipated`, up to date, bounds
+/// what the drift gives or takes: bodies that dissipate nothing neither gain nor lose by it.
 template <class History>
 double age(const ContactLaw& law, double local_radius, double radius, double turn, double elastic,
            History& history) {
+    double loss = 0.0;
     if (law.model == ContactLaw::Model::linear) {
-        history.effective_radius = radius;
-        history.phase += turn;
-        return 0.0;
-    }
-    double change = 0.0;  // of R*, relative
-    if (law.radius == ContactLaw::Radius::local) {
-        if (history.effective_radius > 0.0) change = 1.0 - history.effective_radius / radius;
+        // The stiffness knows no radius.
+    } else if (law.radius == ContactLaw::Radius::local) {
+        if (history.effective_radius > 0.0)
+            loss = 0.5 * (history.effective_radius / radius - 1.0) * elastic;
     } else if (law.radius == ContactLaw::Radius::onset &&
                history.phase >= settled_phase + drift_interval) {
         const double drifted = radius + (local_radius - radius) * (drift_interval / drift_phase);
-        change = drifted / radius - 1.0;
-        radius = drifted;
+        const double most = std::max(history.dissipated, 0.0) / elastic;
+        const double root = std::clamp(std::sqrt(drifted / radius), 1.0 - most, 1.0 + most);
+        radius *= square(root);
+        loss = (1.0 - root) * elastic;
         history.phase -= drift_interval;
     }
     history.effective_radius = radius;
     history.phase += turn;
-    return -0.5 * change * elastic;
+    history.dissipated += loss;
+    return loss;
 }
 
 /// Carries a spring in the plane of `old_normal` into the plane of `normal`: the smallest rotation
@@ -224,11 +226,19 @@ inline LettingGo letting_go(double k_t, double s, double ratio, double overlap) 
             k_t * square(h) * (1.0 - 0.5 * r2)};
 }
 
-/// Energy that a spring lost because its stiffness is k_t and was `before` in the last step [J].
-/// `lead`, from the history: the spring half way between the two steps, where the change of
-/// stiffness at constant length and that of length at constant stiffness separate.
-inline double softening_loss(double before, double k_t, const Vec3& lead) {
-    return 0.5 * (before - k_t) * lead.squaredNorm();
+/// Gives a spring its stiffness k_t of this step, which was `before` in the last, and returns the
+/// energy that it loses [J]. `lead`, from the history: the spring half way between the two steps,
+/// where the change of stiffness at constant length and that of length at constant stiffness
+/// separate. The length stays, so that a spring that stiffens gains; where that were more than
+/// `dissipated`, what the contact has taken before [J], the force stays instead, as it does in the
+/// theory of elastic contacts under rising load, and the spring becomes shorter.
+inline double restiffen(double before, double k_t, double dissipated, Vec3& lead) {
+    const double size2 = lead.squaredNorm();
+    const double loss = 0.5 * (before - k_t) * size2;
+    if (-loss <= std::max(dissipated, 0.0)) return loss;
+    const double kept = before / k_t;
+    lead *= kept;
+    return 0.5 * before * (1.0 - kept) * size2;
 }
 
 }  // namespace dem::hertz

@@ -199,7 +199,8 @@ void add_friction(const Patch& patch, const PatchCall& call, double elastic_part
             spring = hertz::carried(slot.spring, slot.normal, n, mean_spin.dot(n) * dt);
         const Vec3 u_t = s.velocity - s.velocity.dot(n) * n;
         const double k_t = scale * s.k_t;
-        contact.dissipated_energy += hertz::softening_loss(slot.stiffness, k_t, spring);
+        contact.dissipated_energy += hertz::restiffen(
+            slot.stiffness, k_t, call.history.dissipated + contact.dissipated_energy, spring);
         const double limit =
             call.law.friction * scale * hertz::friction_load(call.law, s.elastic_part, s.force);
         const hertz::TangentialForce t =
@@ -229,6 +230,7 @@ PairContact patch_force(const PatchCall& call) {
     if (call.law.friction > 0.0) add_friction(patch, call, elastic_part, contact);
     contact.overlap = patch.overlap();
     contact.points = static_cast<std::uint32_t>(call.points.size());
+    call.history.dissipated += contact.dissipated_energy;
     contact.dissipated_energy +=
         hertz::age(call.law, call.local_radius, call.radius, patch.frequency() * call.dt,
                    normal_elastic, call.history);
@@ -244,12 +246,13 @@ bool is_single(std::span<const ContactPoint> points, const PatchHistory& history
 PairContact single_force(const ContactPoint& point, double local_radius, const PairState& pair,
                          const ContactLaw& law, double dt, PatchHistory& history) {
     PatchHistory::Slot& slot = history.slots[0];
-    PointHistory single{slot.normal, slot.spring, history.effective_radius, history.phase,
-                        slot.stiffness};
+    PointHistory single{slot.normal,   slot.spring,    history.effective_radius,
+                        history.phase, slot.stiffness, history.dissipated};
     PairContact contact = contact_force(point, local_radius, pair, law, dt, single);
     slot = {point.feature, single.normal, single.spring, single.stiffness};
     history.effective_radius = single.effective_radius;
     history.phase = single.phase;
+    history.dissipated = single.dissipated;
     history.used = 1;
     return contact;
 }

@@ -60,7 +60,8 @@ inline PointForce point_force(const PointMotion& point, double local_radius, con
         Vec3 spring = Vec3::Zero();
         if (history.effective_radius > 0.0)
             spring = hertz::carried(history.spring, history.normal, n, point.spin * dt);
-        f.dissipated += hertz::softening_loss(history.stiffness, c.k_t, spring);
+        f.dissipated +=
+            hertz::restiffen(history.stiffness, c.k_t, history.dissipated + f.dissipated, spring);
         const double limit = law.friction * hertz::friction_load(law, spring_force, f.normal);
         const hertz::TangentialForce t =
             hertz::tangential_force(c.k_t, c.gamma_t, limit, u_t, dt, spring);
@@ -71,6 +72,7 @@ inline PointForce point_force(const PointMotion& point, double local_radius, con
         f.dissipated += t.dissipated;
     }
     history.normal = n;
+    history.dissipated += f.dissipated;
     f.dissipated +=
         hertz::age(law, local_radius, radius, c.frequency * dt, normal_elastic, history);
     return f;
