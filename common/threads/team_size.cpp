@@ -18,7 +18,11 @@ constexpr double trial_share = 0.03;
 /// fast: between the two nothing changes, and cores are left to others.
 constexpr double larger_wins_below = 0.93;
 constexpr double smaller_wins_below = 1.02;
-constexpr int wins_to_be_kept = 2;
+/// Beside busy neighbors a thread has a core of its own for some tens of milliseconds and shares
+/// one for the next, so a larger team also wins by chance: a wrong one costs half a step until the
+/// next trials, a right one that comes a moment later next to nothing.
+constexpr int larger_wins_to_be_kept = 3;
+constexpr int smaller_wins_to_be_kept = 2;
 /// A trial that is this much slower is cut off after a quarter of a block.
 constexpr double cut_off = 1.3;
 
@@ -66,12 +70,13 @@ void TeamSize::look_at_trial() {
     const bool is_bad = block_.time >= 0.25 * block_time && block_.mean() > cut_off * mean_;
     if (!is_over && !is_bad) return;
     trial_cost_ += std::max(cost, 0.0);
-    const double wins_below = way_ == Way::larger ? larger_wins_below : smaller_wins_below;
+    const bool is_larger = way_ == Way::larger;
+    const double wins_below = is_larger ? larger_wins_below : smaller_wins_below;
     const bool has_won = block_.mean() < wins_below * mean_;
     wins_ = has_won ? wins_ + 1 : 0;
     if (!has_won) {
         give_up_trial();
-    } else if (wins_ == wins_to_be_kept) {
+    } else if (wins_ == (is_larger ? larger_wins_to_be_kept : smaller_wins_to_be_kept)) {
         keep_tried();
     }
     block_ = {};

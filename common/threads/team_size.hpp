@@ -8,9 +8,9 @@ namespace dem {
 
 /// Decides from measured steps how many threads work on the next one. Begins with one thread and
 /// tries the next larger and the next smaller team in turn, one every quarter of a second, for 20
-/// ms at a time. A team that is clearly faster twice is kept, and the next one in its direction is
-/// tried at once. A trial that goes wrong is cut off, and the next one waits until what it cost is
-/// 3 % of the time. So neighbors that come or go are noticed within half a second.
+/// ms at a time. A team that is clearly faster several times in a row is kept, and the next one in
+/// its direction is tried at once. A trial that goes wrong is cut off, and the next one waits until
+/// what it cost is 3 % of the time. So neighbors that come or go are noticed within half a second.
 class TeamSize {
   public:
     explicit TeamSize(int most);
