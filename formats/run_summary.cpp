@@ -31,6 +31,7 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
     for (const auto& [name, input_hash] : summary.inputs) inputs[name] = hexadecimal(input_hash);
     const Json json = {{"case", summary.case_path},
                        {"end", summary.end},
+                       {"reason", summary.reason},
                        {"steps", summary.steps},
                        {"time", summary.time},
                        {"time_step", summary.time_step},

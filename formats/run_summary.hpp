@@ -12,7 +12,8 @@ namespace dem {
 /// What summary.json says about a finished run; SI.
 struct RunSummary {
     std::string case_path;
-    std::string end;  ///< "end_time", "at_rest", "interrupted"
+    std::string end;     ///< "end_time", "at_rest", "interrupted", "failed"
+    std::string reason;  ///< of an interruption or a failure, else ""
     std::uint64_t steps = 0;
     double time = 0.0;       ///< simulated [s]
     double time_step = 0.0;  ///< [s]

@@ -7,8 +7,6 @@
 #include "runtime/case/scene_summary.hpp"
 #include "runtime/run.hpp"
 
-#include <csignal>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -21,22 +19,6 @@
 namespace {
 
 namespace po = boost::program_options;
-
-volatile std::sig_atomic_t stop_requested = 0;
-
-/// The first Ctrl-C ends the run after the current step, another one seconds later the program.
-/// One that follows at once is the same request: `timeout` signals a program and then its group.
-void request_stop(int signal) {
-    static volatile std::time_t first = 0;
-    const std::time_t now = std::time(nullptr);  // safe in a signal handler
-    if (stop_requested == 0) {
-        first = now;
-        stop_requested = 1;
-    } else if (now - first > 1) {
-        std::signal(signal, SIG_DFL);
-        std::raise(signal);
-    }
-}
 
 struct CommandLine {
     std::string case_path;
@@ -62,7 +44,7 @@ po::options_description options() {
     add("keys", "list everything a case file may say (Markdown)");
     add("quiet", "no progress");
     add("version", "print the version");
-    add("help", "print this");
+    add("help,h", "print this");
     return visible;
 }
 
@@ -169,46 +151,61 @@ int run(const CommandLine& line) {
         std::cout << description;
         return 0;
     }
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        if (dem::is_heeded(signal)) std::signal(signal, request_stop);
+    dem::note_stop_signals();
     dem::survive_file_size_limit();
     const std::string directory = scene.output.directory;
     dem::Progress progress(std::cerr, dem::Progress::stderr_style(line.quiet), "demrun",
                            scene.run.end_time);
     dem::RunOptions run_options;
     run_options.progress = &progress;
-    run_options.stop_requested = &stop_requested;
+    run_options.stop_signal = &dem::stop_signal();
     run_options.resume = line.resume;
     const dem::RunResult result = dem::run(std::move(scene), run_options);
     if (!line.quiet) report(result, directory);
     return report_missing(result) ? 1 : 0;
 }
 
+/// The exit code.
+int obey(const po::variables_map& values) {
+    int code = 0;
+    if (values.count("help") != 0) {
+        std::cout << "demrun CASE.ini [options]: runs a case (docs/case-file.md)\n" << options();
+    } else if (values.count("version") != 0) {
+        std::cout << "demrun " DEM_VERSION "\n";
+    } else if (values.count("keys") != 0) {
+        std::cout << dem::describe_keys();
+    } else {
+        code = run(command_line(values));
+    }
+    std::cout.flush();
+    if (!std::cout) throw dem::Error("standard output", "could not be written");
+    return code;
+}
+
+int fail(const std::string& message, int code) {
+    std::cerr << "demrun: error: " << message << "\n";
+    return code;
+}
+
+/// The exit code.
+int obey(int argc, char** argv) {
+    try {
+        return obey(parse(argc, argv));
+    } catch (const dem::UsageError& error) {
+        return fail(error.what(), 2);
+    } catch (const std::bad_alloc&) {
+        return fail("not enough memory for this case, expected fewer bodies or smaller templates",
+                    1);
+    } catch (const std::exception& error) {
+        return fail(error.what(), 1);
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        const po::variables_map values = parse(argc, argv);
-        if (values.count("help") != 0) {
-            std::cout << "demrun CASE.ini [options]: runs a case (docs/case-file.md)\n"
-                      << options();
-        } else if (values.count("version") != 0) {
-            std::cout << "demrun " DEM_VERSION "\n";
-        } else if (values.count("keys") != 0) {
-            std::cout << dem::describe_keys();
-        } else {
-            return run(command_line(values));
-        }
-        return 0;
-    } catch (const dem::UsageError& error) {
-        std::cerr << "demrun: error: " << error.what() << "\n";
-        return 2;
-    } catch (const std::bad_alloc&) {
-        std::cerr << "demrun: error: not enough memory for this case, expected fewer bodies or "
-                     "smaller templates\n";
-        return 1;
-    } catch (const std::exception& error) {
-        std::cerr << "demrun: error: " << error.what() << "\n";
-        return 1;
-    }
+    const int code = obey(argc, argv);
+    // Whatever was written: who asked for the end must see that it came.
+    if (dem::stop_signal() != 0) dem::end_by_signal(dem::stop_signal());
+    return code;
 }

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/run.hpp"
 
+#include "common/attempts.hpp"
 #include "common/error.hpp"
+#include "common/signals.hpp"
 #include "common/stopwatch.hpp"
 #include "runtime/checkpoint/run_checkpoint.hpp"
 #include "runtime/measure/at_rest.hpp"
 #include "runtime/output/folder_lock.hpp"
 #include "runtime/output/outputs.hpp"
+#include "runtime/rewind.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/time_step.hpp"
 
-#include <chrono>
-#include <cmath>
+#include <algorithm>
+#include <exception>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,12 +24,6 @@
 namespace dem {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-bool is_interrupted(const RunOptions& options) {
-    return options.stop_requested != nullptr && *options.stop_requested != 0;
-}
 
 void report(const RunOptions& options, const Simulation& simulation) {
     if (options.progress == nullptr || !options.progress->is_due(simulation.time())) return;
@@ -48,11 +46,14 @@ std::vector<MissingBodies> missing_bodies(const Simulation& simulation) {
     return result;
 }
 
+/// What a run is made of while it lasts.
 struct RunParts {
-    Simulation& simulation;
+    std::unique_ptr<Simulation> simulation;
     AtRest& at_rest;
     Outputs& outputs;
-    double& checkpoint_time;  ///< spent on checkpoints so far [s]
+    Rewind rewind;
+    std::uint64_t good_steps;      ///< those that did not fail
+    double checkpoint_time = 0.0;  ///< spent on checkpoints so far [s]
 };
 
 void require_checkpoint(const Scene& scene) {
@@ -68,47 +69,98 @@ Outputs begun_outputs(bool resume, Simulation& simulation, AtRest& at_rest) {
     return {scene, progress};
 }
 
-void make_checkpoint(const RunParts& run) {
+void make_checkpoint(RunParts& run) {
     const Stopwatch watch(run.checkpoint_time);
     run.outputs.sync();
-    save_checkpoint(checkpoint_path(run.simulation.scene()), run.simulation, run.at_rest,
+    save_checkpoint(checkpoint_path(run.simulation->scene()), *run.simulation, run.at_rest,
                     run.outputs.progress());
 }
+
+/// When a checkpoint is due by the clock: the first one soon, for a run that has just begun is lost
+/// as easily as any other.
+class CheckpointClock {
+  public:
+    explicit CheckpointClock(double every)
+        : every_(every), next_(Progress::steady_seconds() + std::min(every, first)) {}
+
+    bool is_due(double now) const { return now >= next_; }
+    void restart() { next_ = Progress::steady_seconds() + every_; }
+
+  private:
+    static constexpr double first = 60.0;  // [s]
+    double every_;
+    double next_;
+};
 
 /// Why the run ends with the present state, if it does.
 std::optional<RunResult::End> end_of_run(const RunParts& run, const RunOptions& options,
                                          std::uint64_t last_step) {
     using End = RunResult::End;
-    if (run.at_rest.was_reached() && run.simulation.scene().run.stop_at_rest) return End::at_rest;
-    if (is_interrupted(options)) return End::interrupted;
-    if (run.simulation.steps() >= last_step) return End::end_time;
+    if (run.at_rest.was_reached() && run.simulation->scene().run.stop_at_rest) return End::at_rest;
+    if (options.stop_signal != nullptr && *options.stop_signal != 0) return End::interrupted;
+    if (run.simulation->steps() >= last_step) return End::end_time;
     return std::nullopt;
 }
 
-/// Steps until something ends the run; returns the sum of particles over the steps. The last state
-/// is left to Outputs::finish.
-std::uint64_t run_steps(const RunParts& run, const RunOptions& options, std::uint64_t last_step,
-                        RunResult::End& end) {
-    Simulation& simulation = run.simulation;
+/// Steps until something ends the run. The last state is left to Outputs::finish.
+void run_steps(RunParts& run, const RunOptions& options, std::uint64_t last_step,
+               RunResult& result) {
+    Simulation& simulation = *run.simulation;
+    const Stopwatch watch(result.wall_time);
     const bool stop_at_rest = simulation.scene().run.stop_at_rest;
-    const std::chrono::duration<double> checkpoint_every(
-        simulation.scene().output.checkpoint_every);
-    auto last_checkpoint = Clock::now();
-    std::uint64_t particle_steps = 0;
-    std::optional<RunResult::End> reason;
-    while (!(reason = end_of_run(run, options, last_step))) {
-        if (Clock::now() - last_checkpoint >= checkpoint_every) {
+    CheckpointClock checkpoints(simulation.scene().output.checkpoint_every);
+    std::optional<RunResult::End> end;
+    while (!(end = end_of_run(run, options, last_step))) {
+        const double now = Progress::steady_seconds();
+        if (checkpoints.is_due(now)) {
             make_checkpoint(run);
-            last_checkpoint = Clock::now();
+            checkpoints.restart();
         }
         run.outputs.sample(simulation);
+        run.rewind.keep_when_due(simulation, now);
         simulation.step();
+        ++run.good_steps;
         if (stop_at_rest) run.at_rest.look(simulation);
-        particle_steps += simulation.particles().size();
+        result.particle_steps += simulation.particles().size();
         report(options, simulation);
     }
-    end = *reason;
-    return particle_steps;
+    result.end = *end;
+    if (*end == RunResult::End::interrupted) result.reason = signal_name(*options.stop_signal);
+}
+
+/// Steps until something ends the run. What fails is returned, and a step that failed taken back.
+std::exception_ptr run_to_end(RunParts& run, const RunOptions& options, std::uint64_t last_step,
+                              RunResult& result) {
+    try {
+        run_steps(run, options, last_step, result);
+        return nullptr;
+    } catch (const std::exception& error) {
+        result.end = RunResult::End::failed;
+        result.reason = error.what();
+        const std::exception_ptr failure = std::current_exception();
+        if (run.simulation->steps() != run.good_steps) {
+            run.simulation = run.rewind.back_to(run.good_steps, *run.simulation);
+        }
+        return failure;
+    }
+}
+
+void describe_end(const RunParts& run, RunResult& result) {
+    const Simulation& simulation = *run.simulation;
+    result.measure_time = run.outputs.measure_time();
+    result.output_time = run.outputs.output_time() + run.checkpoint_time;
+    result.steps = simulation.steps();
+    result.particles = simulation.particles().size();
+    result.time = simulation.time();
+    result.time_step = simulation.time_step();
+    if (result.particle_steps > 0) {
+        const double step_time = result.wall_time - result.measure_time - result.output_time;
+        result.microseconds_per_particle_step =
+            1e6 * step_time / static_cast<double>(result.particle_steps);
+    }
+    result.core_overlaps = simulation.core_overlaps();
+    result.state_hash = simulation.state_hash();
+    result.missing = missing_bodies(simulation);
 }
 
 }  // namespace
@@ -125,36 +177,24 @@ RunResult run(Scene scene, const RunOptions& options) {
     const double dt = time_step(scene).value;
     const std::uint64_t last_step = step_count(scene.run, dt, scene.case_path);
     if (options.resume) require_checkpoint(scene);
-    const FolderLock lock(scene.output.directory);
-    Simulation simulation(std::move(scene), dt);
-    AtRest at_rest(simulation.scene());
-    Outputs outputs = begun_outputs(options.resume, simulation, at_rest);
-    if (options.progress != nullptr) options.progress->begin_at(simulation.time());
+    const std::filesystem::path folder = scene.output.directory;
+    const FolderLock lock(folder);
+    auto simulation = std::make_unique<Simulation>(std::move(scene), dt);
+    AtRest at_rest(simulation->scene());
+    Outputs outputs = begun_outputs(options.resume, *simulation, at_rest);
+    if (options.progress != nullptr) options.progress->begin_at(simulation->time());
 
     RunResult result;
-    std::uint64_t particle_steps = 0;
-    double checkpoint_time = 0.0;
-    const RunParts parts{simulation, at_rest, outputs, checkpoint_time};
-    {
-        const Stopwatch watch(result.wall_time);
-        particle_steps = run_steps(parts, options, last_step, result.end);
-    }
-    result.measure_time = outputs.measure_time();
-    result.output_time = outputs.output_time() + checkpoint_time;
-    make_checkpoint(parts);
-    result.steps = simulation.steps();
-    result.particles = simulation.particles().size();
-    result.time = simulation.time();
-    result.time_step = dt;
-    if (particle_steps > 0) {
-        const double step_time = result.wall_time - result.measure_time - result.output_time;
-        result.microseconds_per_particle_step =
-            1e6 * step_time / static_cast<double>(particle_steps);
-    }
-    result.core_overlaps = simulation.core_overlaps();
-    result.state_hash = simulation.state_hash();
-    result.missing = missing_bodies(simulation);
-    outputs.finish(simulation, result);
+    Rewind rewind(*simulation, Progress::steady_seconds());
+    const std::uint64_t steps = simulation->steps();
+    RunParts parts{std::move(simulation), at_rest, outputs, std::move(rewind), steps};
+    const std::exception_ptr failure = run_to_end(parts, options, last_step, result);
+    describe_end(parts, result);
+    Attempts last;
+    if (failure) last.make([&] { std::rethrow_exception(failure); });
+    last.make([&] { make_checkpoint(parts); });
+    last.make([&] { outputs.finish(*parts.simulation, result); });
+    last.check();
     return result;
 }
 

@@ -13,8 +13,9 @@ namespace dem {
 
 struct RunOptions {
     Progress* progress = nullptr;  ///< updated with the simulated time, out of Scene::run.end_time
-    /// Set by a signal handler: the run ends after the current step and keeps everything.
-    const volatile std::sig_atomic_t* stop_requested = nullptr;
+    /// Set to its number by a signal handler: the run ends after the current step and keeps
+    /// everything.
+    const volatile std::sig_atomic_t* stop_signal = nullptr;
     bool resume = false;  ///< go on from the checkpoint in Scene::output.directory
 };
 
@@ -28,10 +29,12 @@ struct MissingBodies {
 };
 
 struct RunResult {
-    enum class End : std::uint8_t { end_time, at_rest, interrupted };
+    enum class End : std::uint8_t { end_time, at_rest, interrupted, failed };
     End end = End::end_time;
+    std::string reason;  ///< "SIGTERM" of an interruption, the message of a failure
     std::uint64_t steps = 0;
     std::uint32_t particles = 0;
+    std::uint64_t particle_steps = 0;             ///< particles, summed over the steps
     double time = 0.0;                            ///< simulated [s]
     double time_step = 0.0;                       ///< [s]
     double wall_time = 0.0;                       ///< of the time loop [s]
@@ -48,8 +51,8 @@ struct RunResult {
 /// (created when missing). A resumed run gives the bits of one that was never interrupted.
 /// Throws Error for a time step above the critical one, a folder that cannot be written or is
 /// written by another run, a checkpoint that is none of this case, and a run that fails
-/// (a body leaves, overlaps too much, a number is not finite): then with step, time and ids, and
-/// with everything written before kept.
+/// (a body leaves, overlaps too much, a number is not finite, a disk is full): then with step, time
+/// and ids, after the last good state has been written as at any other end.
 RunResult run(Scene scene, const RunOptions& options);
 
 /// Throws Error unless a run of this scene could be resumed from its checkpoint. Writes nothing.

@@ -400,8 +400,9 @@ constexpr Key output_keys[] = {
      .dimension = time,
      .range = positive,
      .standard = "10 min",
-     .doc = "wall time between checkpoints, from which `--resume` goes on; one is also made at the "
-            "end"},
+     .doc =
+         "wall time between checkpoints, from which `--resume` goes on; one is also made after the "
+         "first minute and at the end"},
 };
 
 constexpr Key measure_keys[] = {

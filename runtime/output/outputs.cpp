@@ -2,6 +2,7 @@
 #include "runtime/output/outputs.hpp"
 
 #include "common/atomic_file.hpp"
+#include "common/attempts.hpp"
 #include "common/error.hpp"
 #include "common/stopwatch.hpp"
 #include "formats/body_table.hpp"
@@ -11,6 +12,7 @@
 #include "runtime/measure/measures.hpp"
 #include "runtime/output/picture.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <numeric>
 #include <system_error>
@@ -113,6 +115,8 @@ std::string end_name(RunResult::End end) {
             return "at_rest";
         case RunResult::End::interrupted:
             return "interrupted";
+        case RunResult::End::failed:
+            return "failed";
     }
     return "";
 }
@@ -172,6 +176,8 @@ void Outputs::sample(const Simulation& simulation) {
         row_is_due |= due_measures_[k] != 0;
     }
     if (row_is_due) write_row(simulation);
+    progress_.frames = frames_.count();
+    progress_.rows = history_.rows();
     progress_.sampled = time;
 }
 
@@ -185,7 +191,6 @@ void Outputs::write_frame(const Simulation& simulation) {
     const auto coordination = coordination_numbers(simulation);
     frames_.append({simulation.time(), simulation.steps(), id, p.position, p.orientation,
                     p.velocity, p.angular_velocity, shape, p.group, coordination, p.force});
-    progress_.frames = frames_.count();
     last_frame_ = simulation.time();
 }
 
@@ -227,24 +232,37 @@ void Outputs::write_row(const Simulation& simulation) {
                                               simulation.largest_overlap().relative};
     row.insert(row.end(), measured_.begin(), measured_.end());
     history_.append(row);
-    progress_.rows = history_.rows();
     last_row_ = simulation.time();
 }
 
-void Outputs::finish(const Simulation& simulation, const RunResult& result) {
-    if (last_frame_ != simulation.time()) write_frame(simulation);
+void Outputs::write_last_row(const Simulation& simulation) {
     due_measures_.assign(simulation.scene().measures.size(), 1);
-    if (last_row_ != simulation.time()) {
+    if (last_row_ < simulation.time()) {
         write_row(simulation);
     } else {
         measure(simulation);
     }
-    write_body_table(directory_ / "final.csv", body_rows(simulation));
+}
 
+void Outputs::finish(const Simulation& simulation, const RunResult& result) {
+    Attempts attempts;
+    attempts.make([&] {
+        if (last_frame_ < simulation.time()) write_frame(simulation);
+    });
+    attempts.make([&] { write_last_row(simulation); });
+    attempts.make([&] { write_body_table(directory_ / "final.csv", body_rows(simulation)); });
+    attempts.make([&] {
+        if (simulation.scene().output.picture) write_picture(directory_ / "final.png", simulation);
+    });
+    attempts.make([&] { write_end(simulation, result); });
+    attempts.check();
+}
+
+void Outputs::write_end(const Simulation& simulation, const RunResult& result) const {
     const Scene& scene = simulation.scene();
-    if (scene.output.picture) write_picture(directory_ / "final.png", simulation);
     RunSummary summary{.case_path = scene.case_path,
                        .end = end_name(result.end),
+                       .reason = result.reason,
                        .steps = result.steps,
                        .time = result.time,
                        .time_step = result.time_step,
@@ -265,8 +283,8 @@ void Outputs::finish(const Simulation& simulation, const RunResult& result) {
         summary.missing.emplace_back(group.group, group.count - group.placed);
     }
     const auto columns = measure_columns(scene);
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-        summary.measures.emplace_back(columns[k], *measured_[k]);
+    for (std::size_t k = 0; k < std::min(columns.size(), measured_.size()); ++k) {
+        if (measured_[k]) summary.measures.emplace_back(columns[k], *measured_[k]);
     }
     write_summary(directory_ / "summary.json", summary);
 }

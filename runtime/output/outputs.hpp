@@ -42,6 +42,7 @@ class Outputs {
     /// Writes what is due at the present time; call before each step.
     void sample(const Simulation& simulation);
 
+    /// After the last sample that did not fail.
     const OutputProgress& progress() const { return progress_; }
     double measure_time() const { return measure_time_; }  ///< taken by measures so far [s]
     double output_time() const { return output_time_; }    ///< taken by frames and rows so far [s]
@@ -49,13 +50,16 @@ class Outputs {
     /// Lets the disk take what has been written: a checkpoint must not outlive what it counts on.
     void sync();
 
-    /// Writes the last state, due or not, with every measure.
+    /// Writes the last state, due or not, with every measure: each file, whatever becomes of the
+    /// others, before the first failure is thrown.
     void finish(const Simulation& simulation, const RunResult& result);
 
   private:
     void write_frame(const Simulation& simulation);
     void write_row(const Simulation& simulation);
     void measure(const Simulation& simulation);
+    void write_last_row(const Simulation& simulation);
+    void write_end(const Simulation& simulation, const RunResult& result) const;
 
     std::filesystem::path directory_;
     HistoryWriter history_;

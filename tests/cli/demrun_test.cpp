@@ -4,6 +4,7 @@
 #include "tests/formats/temporary_folder.hpp"
 
 #include <algorithm>
+#include <csignal>
 
 #include <gtest/gtest.h>
 
@@ -88,6 +89,7 @@ TEST_F(Demrun, CheckFindsWhatCannotRun) {
 TEST_F(Demrun, HelpAndVersionNeedNoCase) {
     EXPECT_EQ(demrun("--version").output, "demrun " DEM_VERSION "\n");
     EXPECT_NE(demrun("--help").output.find("--threads"), std::string::npos);
+    EXPECT_EQ(demrun("-h").output, demrun("--help").output);
     EXPECT_NE(demrun("--keys").output.find("`restitution`"), std::string::npos);
 }
 
@@ -127,7 +129,8 @@ TEST_F(Demrun, AFolderThatCannotBeWrittenIsAnErrorBeforeTheRun) {
 
 TEST_F(Demrun, BodiesThatFoundNoRoomAreCountedAndFailTheRun) {
     const std::string pour =
-        "case.ini --quiet --set particles.balls.insert=batches --set particles.balls.every=4ms "
+        "case.ini --quiet --set particles.balls.insert=batches --set "
+        "particles.balls.every=4ms "
         "--set particles.balls.batch=10 --set run.end_time=9ms --set particles.balls.count=";
     const Outcome crowd = demrun(pour + "120 --set particles.balls.batch=50");
     EXPECT_EQ(crowd.code, 1);
@@ -147,14 +150,75 @@ TEST_F(Demrun, BodiesThatFoundNoRoomAreCountedAndFailTheRun) {
               "others were not due by 0.0005 s\n");
 }
 
-TEST_F(Demrun, AnInterruptKeepsWhatWasComputed) {
-    const Outcome outcome = run_command("timeout --preserve-status --signal INT 2 " +
-                                            program("demrun") + " case.ini --set run.end_time=1h",
-                                        folder_);
-    EXPECT_EQ(outcome.code, 0) << outcome.errors;
-    EXPECT_NE(outcome.errors.find("interrupted at "), std::string::npos) << outcome.errors;
-    EXPECT_FALSE(content(folder_ / "case/final.csv").empty());
-    EXPECT_NE(content(folder_ / "case/summary.json").find("interrupted"), std::string::npos);
+TEST_F(Demrun, ASignalEndsTheRunWithEverythingSavedAndItsOwnExitCode) {
+    struct Signal {
+        int number;
+        const char* name;
+    };
+    for (const Signal& signal :
+         {Signal{SIGINT, "INT"}, Signal{SIGTERM, "TERM"}, Signal{SIGHUP, "HUP"},
+          Signal{SIGUSR1, "USR1"}, Signal{SIGUSR2, "USR2"}}) {
+        const Outcome outcome =
+            run_command("timeout --preserve-status --signal " + std::string(signal.name) + " 0.5 " +
+                            program("demrun") + " case.ini --set run.end_time=1h",
+                        folder_);
+        EXPECT_EQ(outcome.code, 128 + signal.number) << outcome.errors;
+        EXPECT_NE(outcome.errors.find("interrupted at "), std::string::npos) << outcome.errors;
+        EXPECT_FALSE(content(folder_ / "case/final.csv").empty());
+        EXPECT_TRUE(fs::exists(folder_ / "case/checkpoint.h5"));
+        const std::string summary = content(folder_ / "case/summary.json");
+        EXPECT_NE(summary.find("\"end\": \"interrupted\",\n  \"reason\": \"SIG" +
+                               std::string(signal.name)),
+                  std::string::npos)
+            << summary;
+    }
+}
+
+TEST_F(Demrun, ALimitOnCpuTimeEndsTheRunLikeASignal) {
+    // SIGXCPU after one second, and then every second.
+    const Outcome outcome = run_command(
+        "ulimit -S -t 1; " + program("demrun") + " case.ini --set run.end_time=1h", folder_);
+    EXPECT_EQ(outcome.code, 128 + SIGXCPU) << outcome.errors;
+    EXPECT_NE(content(folder_ / "case/summary.json").find("SIGXCPU"), std::string::npos);
+    EXPECT_TRUE(fs::exists(folder_ / "case/checkpoint.h5"));
+}
+
+TEST_F(Demrun, AnInterruptEndsALoopOverSeeds) {
+    write("loop.sh", "for seed in 1 2 3; do\n  echo $seed >> seeds\n  " + program("demrun") +
+                         " case.ini --quiet --set run.end_time=1h --set run.seed=$seed --out "
+                         "run$seed\ndone\n");
+    const Outcome outcome =
+        run_command("timeout --preserve-status --signal INT 0.5 bash loop.sh", folder_);
+    EXPECT_EQ(outcome.code, 128 + SIGINT) << outcome.errors;
+    EXPECT_EQ(content(folder_ / "seeds"), "1\n");
+    EXPECT_TRUE(fs::exists(folder_ / "run1/final.csv"));
+}
+
+TEST_F(Demrun, ARunThatFailsKeepsItsLastGoodState) {
+    const Outcome outcome = demrun(
+        "case.ini --quiet --set 'wall.room.open=bottom' --set 'run.domain=box -1 -1 -0.02 1 1 1' "
+        "--set run.end_time=1");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.errors.find("has left the domain at"), std::string::npos) << outcome.errors;
+    EXPECT_EQ(outcome.errors.find('\n'), outcome.errors.size() - 1) << outcome.errors;
+    for (const char* name : {"final.csv", "final.png", "checkpoint.h5"}) {
+        EXPECT_TRUE(fs::exists(folder_ / "case" / name)) << name;
+    }
+    const std::string summary = content(folder_ / "case/summary.json");
+    EXPECT_NE(summary.find("\"end\": \"failed\",\n  \"reason\": \"case.ini: step "),
+              std::string::npos)
+        << summary;
+}
+
+TEST_F(Demrun, OutputThatCannotBeWrittenIsAnError) {
+    for (const char* arguments :
+         {"case.ini --check", "--keys", "--help", "--version", "case.ini"}) {
+        const Outcome outcome = demrun(std::string(arguments) + " > /dev/full");
+        EXPECT_EQ(outcome.code, 1) << arguments;
+        EXPECT_TRUE(
+            outcome.errors.ends_with("demrun: error: standard output: could not be written\n"))
+            << outcome.errors;
+    }
 }
 
 TEST_F(Demrun, AnInterruptedRunIsResumedToTheSameEnd) {
@@ -163,7 +227,7 @@ TEST_F(Demrun, AnInterruptedRunIsResumedToTheSameEnd) {
     // However far it gets before the signal.
     const Outcome first =
         run_command("timeout --preserve-status --signal INT 0.2 " + run + "--out parts", folder_);
-    ASSERT_EQ(first.code, 0) << first.errors;
+    ASSERT_EQ(first.code, 128 + SIGINT) << first.errors;
     ASSERT_TRUE(fs::exists(folder_ / "parts/checkpoint.h5"));
     const Outcome second = run_command(run + "--out parts --resume --threads 2", folder_);
     EXPECT_EQ(second.code, 0) << second.errors;
@@ -214,7 +278,8 @@ TEST_F(Demrun, AFullDiskIsOneLineAndKeepsWhatWasWritten) {
         EXPECT_EQ(outcome.code, 1);
         EXPECT_EQ(outcome.errors, std::string("demrun: error: full/") + limit.what +
                                       ": cannot write: File too large\n");
-        EXPECT_FALSE(fs::exists(folder_ / "full/final.csv"));
+        EXPECT_TRUE(fs::exists(folder_ / "full/final.csv"));
+        EXPECT_NE(content(folder_ / "full/summary.json").find("File too large"), std::string::npos);
         const auto is_part = [](const fs::directory_entry& entry) {
             return entry.path().string().find(".part-") != std::string::npos;
         };

@@ -8,8 +8,11 @@
 #include "tests/formats/temporary_folder.hpp"
 #include "tests/runtime/simulation/scenes.hpp"
 
+#include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -103,24 +106,57 @@ TEST_F(Run, CountsMeasuresAndFilesApartFromTheSteps) {
 }
 
 TEST_F(Run, IsInterruptedAndKeepsWhatItHas) {
-    const volatile std::sig_atomic_t stop = 1;
+    const volatile std::sig_atomic_t stop = SIGTERM;
     RunOptions options;
-    options.stop_requested = &stop;
+    options.stop_signal = &stop;
     const RunResult result = run(bouncing_sphere(), options);
     EXPECT_EQ(result.end, RunResult::End::interrupted);
+    EXPECT_EQ(result.reason, "SIGTERM");
     EXPECT_EQ(result.steps, 0U);
     EXPECT_EQ(lines("history.csv").size(), 1U + 1U);
     EXPECT_TRUE(std::filesystem::exists(directory_ / "final.csv"));
 }
 
-TEST_F(Run, ThatFailsKeepsTheRowsBeforeAndLeavesNoFinalState) {
-    std::filesystem::create_directories(directory_);
-    std::ofstream(directory_ / "final.csv") << "of an earlier run\n";
+TEST_F(Run, ThatFailsEndsWithTheStateBefore) {
     Scene scene = bouncing_sphere();
     scene.run.domain = Aabb{Vec3(-1.0, -1.0, 0.01), Vec3(1.0, 1.0, 1.0)};
-    EXPECT_THROW(run(std::move(scene), {}), Error);
-    EXPECT_EQ(lines("history.csv").size(), 1U + 10U);
-    EXPECT_FALSE(std::filesystem::exists(directory_ / "final.csv"));
+    const std::string message = message_of<Error>([&] { run(scene, {}); });
+    // Free fall through 10 mm in steps of 10 us.
+    EXPECT_NE(message.find("step 4516, time 0.04516 s: particle 0 has left the domain"),
+              std::string::npos)
+        << message;
+    const std::string summary = text("run/summary.json");
+    EXPECT_NE(summary.find("\"end\": \"failed\""), std::string::npos) << summary;
+    EXPECT_NE(summary.find("has left the domain"), std::string::npos) << summary;
+    const auto history = lines("history.csv");
+    ASSERT_EQ(history.size(), 1U + 10U + 1U);
+    EXPECT_TRUE(history.back().starts_with("0.04515")) << history.back();
+    const auto final_state = text("run/final.csv");
+
+    Scene shorter = bouncing_sphere();
+    shorter.run.end_time = 0.04515;
+    shorter.output.directory = (folder_ / "shorter").string();
+    run(std::move(shorter), {});
+    EXPECT_TRUE(text("shorter/final.csv") == final_state) << "the step that failed was taken back";
+
+    RunOptions resume;
+    resume.resume = true;
+    EXPECT_EQ(message_of<Error>([&] { run(scene, resume); }), message) << "goes on from there";
+    EXPECT_TRUE(text("run/final.csv") == final_state);
+}
+
+TEST_F(Run, ThatFailsEndsWithFiniteNumbers) {
+    Scene scene = bouncing_sphere();
+    ContactLaw law = scene.laws.at(0, 0);
+    law.damping = std::numeric_limits<double>::quiet_NaN();
+    scene.laws.set(0, 0, law);
+    // The first contact makes a velocity that is no number, which spoils the position a step later.
+    const std::string message = message_of<Error>([&] { run(scene, {}); });
+    EXPECT_NE(message.find("not a number"), std::string::npos) << message;
+    const auto bodies = read_body_table(directory_ / "final.csv");
+    ASSERT_EQ(bodies.size(), 1U);
+    EXPECT_NEAR(bodies[0].velocity.z(), -std::sqrt(2.0 * 9.81 * 0.015), 1e-3);
+    EXPECT_NEAR(bodies[0].position.z(), 5e-3, 1e-5);
 }
 
 TEST_F(Run, RefusesAFolderThatCannotBeMade) {
