@@ -26,6 +26,7 @@ struct CommandLine {
     std::optional<int> threads;
     std::vector<std::string> overrides;
     bool resume = false;
+    bool force = false;
     bool check = false;
     bool quiet = false;
 };
@@ -40,6 +41,7 @@ po::options_description options() {
     add("set", po::value<std::vector<std::string>>()->value_name("SECTION.KEY=VALUE"),
         "set a value over the case file; may be repeated, the last one counts");
     add("resume", "go on from the checkpoint in the folder of the results");
+    add("force", "write over the results of an earlier run in the folder");
     add("check", "read and check everything, describe the scene, run nothing");
     add("keys", "list everything a case file may say (Markdown)");
     add("quiet", "no progress");
@@ -85,6 +87,10 @@ CommandLine command_line(const po::variables_map& values) {
     }
     if (values.count("set") != 0) line.overrides = values["set"].as<std::vector<std::string>>();
     line.resume = values.count("resume") != 0;
+    line.force = values.count("force") != 0;
+    if (line.resume && line.force) {
+        throw dem::UsageError("--resume and --force found, expected at most one of them");
+    }
     line.check = values.count("check") != 0;
     line.quiet = values.count("quiet") != 0;
     return line;
@@ -160,6 +166,7 @@ int run(const CommandLine& line) {
     run_options.progress = &progress;
     run_options.stop_signal = &dem::stop_signal();
     run_options.resume = line.resume;
+    run_options.force = line.force;
     const dem::RunResult result = dem::run(std::move(scene), run_options);
     if (!line.quiet) report(result, directory);
     return report_missing(result) ? 1 : 0;

@@ -7,6 +7,7 @@
 #include "common/stopwatch.hpp"
 #include "runtime/checkpoint/run_checkpoint.hpp"
 #include "runtime/measure/at_rest.hpp"
+#include "runtime/output/earlier_run.hpp"
 #include "runtime/output/folder_lock.hpp"
 #include "runtime/output/outputs.hpp"
 #include "runtime/rewind.hpp"
@@ -55,6 +56,11 @@ struct RunParts {
     std::uint64_t good_steps;      ///< those that did not fail
     double checkpoint_time = 0.0;  ///< spent on checkpoints so far [s]
 };
+
+void require_no_results(const std::filesystem::path& folder) {
+    const std::string results = earlier_results(folder);
+    if (!results.empty()) throw Error(folder.string(), results);
+}
 
 void require_checkpoint(const Scene& scene) {
     const std::filesystem::path path = checkpoint_path(scene);
@@ -179,6 +185,8 @@ RunResult run(Scene scene, const RunOptions& options) {
     if (options.resume) require_checkpoint(scene);
     const std::filesystem::path folder = scene.output.directory;
     const FolderLock lock(folder);
+    if (!options.resume && !options.force) require_no_results(folder);
+    remove_remains(folder);
     auto simulation = std::make_unique<Simulation>(std::move(scene), dt);
     AtRest at_rest(simulation->scene());
     Outputs outputs = begun_outputs(options.resume, *simulation, at_rest);

@@ -17,6 +17,7 @@ struct RunOptions {
     /// everything.
     const volatile std::sig_atomic_t* stop_signal = nullptr;
     bool resume = false;  ///< go on from the checkpoint in Scene::output.directory
+    bool force = false;   ///< else begin there only where no results of another run are
 };
 
 /// A group of which not every body came in.
@@ -49,8 +50,8 @@ struct RunResult {
 /// Runs a scene from time 0, or from its checkpoint, to its end and writes frames.h5 and
 /// frames.xdmf, history.csv, final.csv, summary.json and checkpoint.h5 into Scene::output.directory
 /// (created when missing). A resumed run gives the bits of one that was never interrupted.
-/// Throws Error for a time step above the critical one, a folder that cannot be written or is
-/// written by another run, a checkpoint that is none of this case, and a run that fails
+/// Throws Error for a time step above the critical one, a folder that cannot be written, is written
+/// by another run or holds results, a checkpoint that is none of this case, and a run that fails
 /// (a body leaves, overlaps too much, a number is not finite, a disk is full): then with step, time
 /// and ids, after the last good state has been written as at any other end.
 RunResult run(Scene scene, const RunOptions& options);

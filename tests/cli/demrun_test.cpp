@@ -129,7 +129,7 @@ TEST_F(Demrun, AFolderThatCannotBeWrittenIsAnErrorBeforeTheRun) {
 
 TEST_F(Demrun, BodiesThatFoundNoRoomAreCountedAndFailTheRun) {
     const std::string pour =
-        "case.ini --quiet --set particles.balls.insert=batches --set "
+        "case.ini --quiet --force --set particles.balls.insert=batches --set "
         "particles.balls.every=4ms "
         "--set particles.balls.batch=10 --set run.end_time=9ms --set particles.balls.count=";
     const Outcome crowd = demrun(pour + "120 --set particles.balls.batch=50");
@@ -160,7 +160,7 @@ TEST_F(Demrun, ASignalEndsTheRunWithEverythingSavedAndItsOwnExitCode) {
           Signal{SIGUSR1, "USR1"}, Signal{SIGUSR2, "USR2"}}) {
         const Outcome outcome =
             run_command("timeout --preserve-status --signal " + std::string(signal.name) + " 0.5 " +
-                            program("demrun") + " case.ini --set run.end_time=1h",
+                            program("demrun") + " case.ini --force --set run.end_time=1h",
                         folder_);
         EXPECT_EQ(outcome.code, 128 + signal.number) << outcome.errors;
         EXPECT_NE(outcome.errors.find("interrupted at "), std::string::npos) << outcome.errors;
@@ -208,6 +208,32 @@ TEST_F(Demrun, ARunThatFailsKeepsItsLastGoodState) {
     EXPECT_NE(summary.find("\"end\": \"failed\",\n  \"reason\": \"case.ini: step "),
               std::string::npos)
         << summary;
+}
+
+TEST_F(Demrun, ResultsAreNotReplacedUnlessForced) {
+    ASSERT_EQ(demrun("case.ini --quiet").code, 0);
+    const std::string state = content(folder_ / "case/final.csv");
+    const std::string other = "case.ini --quiet --set run.seed=2 ";
+    const Outcome refused = demrun(other);
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_EQ(refused.errors,
+              "demrun: error: case: holds the results of a run, expected another folder (--out), "
+              "--resume to go on with it, or --force to write over it\n");
+    EXPECT_TRUE(content(folder_ / "case/final.csv") == state);
+    EXPECT_EQ(demrun(other + "--force").code, 0);
+    EXPECT_FALSE(content(folder_ / "case/final.csv") == state);
+    EXPECT_EQ(demrun(other + "--force --resume").code, 2);
+}
+
+TEST_F(Demrun, WhatKilledRunsHadBegunToWriteIsRemoved) {
+    fs::create_directories(folder_ / "case");
+    for (const char* name : {"checkpoint.h5.part-123-0", "final.csv.part-9-1", "my.part-123-0"}) {
+        write(std::string("case/") + name, "begun");
+    }
+    ASSERT_EQ(demrun("case.ini --quiet").code, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "case/checkpoint.h5.part-123-0"));
+    EXPECT_FALSE(fs::exists(folder_ / "case/final.csv.part-9-1"));
+    EXPECT_TRUE(fs::exists(folder_ / "case/my.part-123-0")) << "is none of a run";
 }
 
 TEST_F(Demrun, OutputThatCannotBeWrittenIsAnError) {
@@ -271,7 +297,7 @@ TEST_F(Demrun, AFullDiskIsOneLineAndKeepsWhatWasWritten) {
                                Limit{300, "1s", "history.csv"}}) {
         const Outcome outcome = run_command(
             "trap '' XFSZ; ulimit -f " + std::to_string(limit.blocks) + "; " + program("demrun") +
-                " case.ini --quiet --out full --set output.history_every=5us --set "
+                " case.ini --quiet --force --out full --set output.history_every=5us --set "
                 "run.time_step=5us" +
                 " --set output.frames_every=" + limit.frames_every,
             folder_);

@@ -91,7 +91,7 @@ class Run:
         path.write_text(case)
         self.directory = WORK / name
         if not (reuse and (self.directory / "summary.json").exists()):
-            subprocess.run([BIN / "demrun", path, "--out", self.directory, "--quiet", *options], check=True)
+            subprocess.run([BIN / "demrun", path, "--out", self.directory, "--force", "--quiet", *options], check=True)
         self.final = table(self.directory / "final.csv")
         self.history = table(self.directory / "history.csv")
         self.summary = json.loads((self.directory / "summary.json").read_text())

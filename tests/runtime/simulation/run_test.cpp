@@ -159,6 +159,17 @@ TEST_F(Run, ThatFailsEndsWithFiniteNumbers) {
     EXPECT_NEAR(bodies[0].position.z(), 5e-3, 1e-5);
 }
 
+TEST_F(Run, RefusesAFolderWithResults) {
+    std::filesystem::create_directories(directory_);
+    std::ofstream(directory_ / "final.csv") << "of an earlier run\n";
+    EXPECT_NE(message_of<Error>([&] { run(bouncing_sphere(), {}); }).find("--force"),
+              std::string::npos);
+    EXPECT_EQ(lines("final.csv"), std::vector<std::string>{"of an earlier run"});
+    RunOptions options;
+    options.force = true;
+    EXPECT_EQ(run(bouncing_sphere(), options).steps, 10000U);
+}
+
 TEST_F(Run, RefusesAFolderThatCannotBeMade) {
     std::ofstream(directory_) << "a file is in the way\n";
     EXPECT_THROW(run(bouncing_sphere(), {}), Error);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+/// What earlier runs have left in the folder of a new one.
+namespace dem {
+
+/// What stands in the way of a run that begins anew: "" or a sentence that says what is there and
+/// what may be done.
+std::string earlier_results(const std::filesystem::path& folder);
+
+/// Removes what killed runs had begun to write beside their files (*.part-*).
+void remove_remains(const std::filesystem::path& folder);
+
+}  // namespace dem
