@@ -117,6 +117,9 @@ TEST_F(Demrun, ARunCanStartFromAnothersEnd) {
     const Outcome outcome = demrun("again.ini --check");
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_NE(outcome.output.find("balls: 20 x sphere"), std::string::npos);
+    EXPECT_NE(outcome.output.find("(contacts begin anew: without their friction springs)"),
+              std::string::npos)
+        << outcome.output;
 }
 
 TEST_F(Demrun, AFolderThatCannotBeWrittenIsAnErrorBeforeTheRun) {
