@@ -83,7 +83,8 @@ constexpr std::array<LogStep, intervals> make_log_steps() {
     for (std::size_t i = 0; i < intervals; ++i) {
         const double middle =
             (1.0 + (static_cast<double>(i) + 0.5) / intervals) * (i < first_upper ? 1.0 : 0.5);
-        double c = static_cast<double>(static_cast<int>(256.0 / middle + 0.5)) / 256.0;
+        const double nearest = 256.0 / middle + 0.5;  // once it is cut to a whole number
+        double c = static_cast<double>(static_cast<int>(nearest)) / 256.0;
         if (i == 0 || i == intervals - 1) c = 1.0;  // no digits are lost where log is about zero
         // -log c = 2 atanh((1 - c) / (1 + c))
         const DoubleDouble s = DoubleDouble{1.0 - c} / DoubleDouble{1.0 + c};

@@ -41,7 +41,8 @@ constexpr std::array<DoubleDouble, directions + 1> direction_angle = make_angles
 
 /// atan(y / x) for 0 <= y <= x, x far from where doubles end.
 DoubleDouble angle_below_diagonal(const DoubleDouble& y, const DoubleDouble& x) {
-    const auto k = static_cast<std::size_t>(directions * (y.hi / x.hi) + 0.5);
+    const double nearest = directions * (y.hi / x.hi) + 0.5;  // once it is cut to a whole number
+    const auto k = static_cast<std::size_t>(nearest);
     const double slope = static_cast<double>(k) / directions;
     // Across and along the direction, times its secant. A slope has 5 bits, so that its products
     // with halves of x are exact, and so is the first difference: y is near slope x.
