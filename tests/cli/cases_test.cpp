@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cases of data/cases and of the tutorial, as a user would cook and check them.
+// The cases of data/cases, as a user would cook and check them.
 #include "tests/cli/program.hpp"
 
 #include <sstream>
@@ -18,23 +18,6 @@ fs::path fresh_folder(const std::string& name) {
     fs::remove_all(folder);
     fs::create_directories(folder);
     return folder;
-}
-
-/// Everything between ``` fences of the given language ("ini", "") in a page, joined.
-std::string code_blocks(const std::string& page, const std::string& language) {
-    std::ifstream stream(page);
-    std::string text;
-    bool inside = false;
-    bool wanted = false;
-    for (std::string line; std::getline(stream, line);) {
-        if (line.starts_with("```")) {
-            inside = !inside;
-            wanted = inside && line.substr(3) == language;
-        } else if (wanted) {
-            text += line + "\n";
-        }
-    }
-    return text;
 }
 
 /// The lines of a case's head that cook its templates, for a folder that holds the case itself.
@@ -91,20 +74,6 @@ TEST(CasesFolder, EveryCaseIsTested) {
         if (entry.path().extension() == ".ini") ++cases;
     }
     EXPECT_EQ(cases, 15U) << "add new cases to the list above";
-}
-
-TEST(Tutorial, WhatItSaysCooksAndChecks) {
-    const fs::path folder = fresh_folder("tutorial");
-    const std::string page = DEM_SOURCE_DIR "/docs/tutorials/first-packing.md";
-    const std::string drawing = code_blocks(page, "");
-    std::ofstream(folder / "my_tablet.profile") << drawing.substr(0, drawing.find("demrun: error"));
-    std::ofstream(folder / "pour.ini") << code_blocks(page, "ini");
-    const Outcome outcome = run_command(program("shapegen") + " my_tablet.profile --quiet && " +
-                                            program("demrun") + " pour.ini --check",
-                                        folder);
-    EXPECT_EQ(outcome.code, 0) << outcome.errors;
-    EXPECT_NE(outcome.output.find("tablets: 200 x "), std::string::npos) << outcome.output;
-    fs::remove_all(folder);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the documentation says about case files is what the program does.
 #include "runtime/case/key.hpp"
-#include "tests/runtime/case/case_text.hpp"
 
 #include <fstream>
 #include <iterator>
@@ -19,14 +18,6 @@ std::string text_of(const std::string& file) {
 TEST(CaseDocumentation, TheTablesAreThoseOfTheProgram) {
     EXPECT_NE(text_of("case-file.md").find(describe_keys()), std::string::npos)
         << "put the output of `demrun --keys` under \"Every key\" of docs/case-file.md";
-}
-
-TEST(CaseDocumentation, TheFirstExampleIsACompleteCase) {
-    const std::string text = text_of("case-file.md");
-    const std::string fence = "```ini\n";
-    const std::size_t start = text.find(fence) + fence.size();
-    const std::size_t end = text.find("```", start);
-    EXPECT_EQ(scene_of(text.substr(start, end - start)).insertions.size(), 1U);
 }
 
 }  // namespace
