@@ -3,7 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/shapes/mass_properties.hpp"
-#include "common/shapes/support_map.hpp"
+#include "common/shapes/support_bounds.hpp"
 #include "formats/memory_map.hpp"
 #include "formats/template_check.hpp"
 #include "formats/template_header.hpp"
@@ -109,9 +109,11 @@ class Decoder {
         result.equivalent_diameter = d.equivalent_diameter();
         result.major_axis_length = d.major_axis_length();
         if (const schema::SupportMap* map = sr.support()) {
-            result.support = {array<SupportPiece>(map->pieces()), array<double>(map->piece_end()),
-                              array<std::uint32_t>(map->first_piece())};
-            result.support.longest_radius = longest_radius(result.support);
+            result.support = {array<SupportPiece>(map->pieces()),
+                              array<double>(map->piece_end()),
+                              array<std::uint32_t>(map->first_piece()),
+                              {}};
+            result.support.bounds = support_bounds(result.support);
         }
         result.sdf = decode(*sr.sdf());
         result.curvature = array<CurvatureSample>(sr.curvature());

@@ -23,6 +23,18 @@ struct SupportPiece {
     double a, b;                ///< semi-axes along r and z [m]
 };
 
+/// Bounds for a whole convex body (support_bounds.hpp). As they are here nothing is known.
+struct SupportBounds {
+    /// Of the radii of curvature of the surface, in any direction [m].
+    double longest_radius = std::numeric_limits<double>::infinity();
+    double shortest_radius = 0.0;  ///< 0: the body has an edge or a tip
+    /// A ball of this number times s fits into the body and touches its surface at a place, s the
+    /// radius of curvature of the meridian there times the change of q (SupportMap), at most 1,
+    /// to the end of the piece: on a flat no more than the way to its edge.
+    double ball_slope = 0.0;
+    double inner_radius = 0.0;  ///< of a ball about the origin inside of the body [m]
+};
+
 /// Support map of a convex surface of revolution. Empty for a non-convex one.
 /// The direction is measured by q = n_z / (n_r + |n_z|), which rises from -1 (down the axis) to +1
 /// and resolves angles near the poles as well as near the equator.
@@ -30,10 +42,8 @@ struct SupportMap {
     SharedArray<SupportPiece> pieces;  ///< n, in rising q
     SharedArray<double> piece_end;     ///< n, the largest q of each piece; the last is 1
     SharedArray<std::uint32_t>
-        first_piece;  ///< m + 1: bucket k covers q in [2k/m - 1, 2(k+1)/m - 1)
-    /// Largest radius of curvature of the surface, in any direction [m]; infinite: not known.
-    /// Follows from the pieces (support_map.hpp, longest_radius()) and is not stored in files.
-    double longest_radius = std::numeric_limits<double>::infinity();
+        first_piece;       ///< m + 1: bucket k covers q in [2k/m - 1, 2(k+1)/m - 1)
+    SupportBounds bounds;  ///< follow from the pieces and are not stored in files
 };
 
 /// Signed distance field of the half cross-section on a two-level grid, negative inside

@@ -42,6 +42,13 @@ inline Vec3 any_tangent(const Vec3& n) {
     return (other - other.dot(n) * n).normalized();
 }
 
+/// Of a unit vector that was carried from step to step. Its length drifts by rounding, and a step
+/// of the search makes an error of it larger: flats have support points from centers thousands of
+/// times the size away.
+inline Vec3 unit_again(const Vec3& n) {
+    return n * (1.5 - 0.5 * n.squaredNorm());
+}
+
 struct NewtonStep {
     Vec3 turn;    ///< in the tangent plane [rad]
     bool lifted;  ///< f is not convex enough here, the step is shorter than Newton's
@@ -195,17 +202,22 @@ inline bool is_close(const NormalProbe& p, const NewtonStep& step, double size) 
            turn2 * (radius + size) < NormalSearch::extrapolation * size;
 }
 
+/// A minimum and where f was last evaluated: there, or where it was extrapolated from.
+struct FollowedNormal {
+    CommonNormal at;
+    NormalProbe probe;
+};
+
 /// The same as common_normal() from a direction that was the minimum a moment ago.
 template <class SupportI, class SupportJ>
-CommonNormal followed_normal(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
-                             const Vec3& start) {
+FollowedNormal followed_normal(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
+                               const Vec3& start) {
     const double size = d.norm();
-    // The length of a normal carried from step to step drifts by rounding.
-    const Vec3 unit = start * (1.5 - 0.5 * start.squaredNorm());
-    const NormalProbe p = probe(support_i, support_j, d, unit);
+    NormalProbe p = probe(support_i, support_j, d, unit_again(start));
     const NewtonStep step = newton_step(p, NormalSearch::floor * size);
-    if (is_close(p, step, size)) return extrapolated(p, step.turn, d);
-    return result_of(descend(support_i, support_j, d, p), d);
+    if (is_close(p, step, size)) return {extrapolated(p, step.turn, d), p};
+    p = descend(support_i, support_j, d, p);
+    return {result_of(p, d), p};
 }
 
 }  // namespace dem

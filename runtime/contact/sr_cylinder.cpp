@@ -53,7 +53,7 @@ class OutlineDivision {
           tilt_(tilt),
           flat_radius_(flat_radius),
           window_(window),
-          has_flat_(map.longest_radius > flat_radius) {}
+          has_flat_(map.bounds.longest_radius > flat_radius) {}
 
     /// The next dividing direction after the one of this measure, the end of the window at last.
     Vec2 after(double& measure) const {
@@ -124,7 +124,7 @@ class InsideSearch {
 
     /// The one place that touches, of a body nowhere flatter than the wall, near where it did.
     bool follow(const PatchHistory& history, WallTouch& touch) const {
-        if (history.used != 1 || a_.support.longest_radius > wall_.radius) return false;
+        if (history.used != 1 || a_.support.bounds.longest_radius > wall_.radius) return false;
         const Vec2 start = outline_.towards(-Vec3(history.slots[0].normal));
         const Vec2 low = planar::turned(start, -reach);
         const Vec2 high = planar::turned(start, reach);

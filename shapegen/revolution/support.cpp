@@ -2,6 +2,7 @@
 #include "shapegen/revolution/support.hpp"
 
 #include "common/math/elementary.hpp"
+#include "common/shapes/support_bounds.hpp"
 #include "common/shapes/support_map.hpp"
 #include "shapegen/revolution/arc_spline.hpp"
 
@@ -84,7 +85,7 @@ SupportMap support_map(const Profile& profile) {
     map.first_piece = make_index(ends);
     map.pieces = pieces.take_pieces();
     map.piece_end = std::move(ends);
-    map.longest_radius = longest_radius(map);
+    map.bounds = support_bounds(map);
     return map;
 }
 

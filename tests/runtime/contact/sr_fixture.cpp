@@ -3,7 +3,7 @@
 
 #include "common/random.hpp"
 #include "common/shapes/sdf_quadtree.hpp"
-#include "common/shapes/support_map.hpp"
+#include "common/shapes/support_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -355,7 +355,7 @@ SrShape candy(std::uint32_t nodes) {
     shape.support.pieces = std::vector<SupportPiece>{{0.0, 0.0, 6.585e-3, 3.395e-3}};
     shape.support.piece_end = std::vector<double>{1.0};
     shape.support.first_piece = std::vector<std::uint32_t>{0, 0};
-    shape.support.longest_radius = longest_radius(shape.support);
+    shape.support.bounds = support_bounds(shape.support);
     return shape;
 }
 SrShape sharp_tablet(std::uint32_t nodes) {

@@ -4,6 +4,7 @@
 #include "common/random.hpp"
 #include "runtime/contact/sphere_sphere.hpp"
 #include "runtime/contact_law/pair_law.hpp"
+#include "runtime/integrator/rigid_body.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
 
 #include <cstring>
@@ -92,6 +93,26 @@ TEST(SrSrContinuous, TheMissCacheNeverChangesABit) {
         }
     }
     EXPECT_GT(touched, 500);
+}
+
+// A direction that is not quite a unit vector proves misses that are none: flats have support
+// points from centers thousands of times the size away, and each step made its error larger.
+TEST(SrSrContinuous, ADirectionThatProvesAMissKeepsItsLength) {
+    const SolidBody body = cylinder(4e-3, 6e-3);
+    Random random(77, 1);
+    PairState pair = random_pair(body, body, random);
+    pair.j.orientation = pair.i.orientation;
+    pair.displacement = 6.01e-3 * body_axis(pair.i.orientation);
+    PointHistory history;
+    MissCache miss;
+    for (int step = 0; step < 3000; ++step) {
+        pair.j.orientation =
+            (rotation(1e-4 * random.direction()) * pair.i.orientation).normalized();
+        const PairContact c =
+            collide(body.shape, body.shape, pair, rough_law(), 1e-6, ContactMemory{history, miss});
+        ASSERT_FALSE(c.touches());
+        ASSERT_NEAR(Vec3(miss.axis).norm(), 1.0, 1e-14) << "step " << step;
+    }
 }
 
 TEST(SrSrContinuous, SwappingThePairFlipsSignsOnly) {
