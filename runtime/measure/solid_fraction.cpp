@@ -43,7 +43,7 @@ struct VesselPoints {
     }
     Vec2 in_box(const Vessel& vessel, double u, double v) {
         const double depth = vessel.cross_section / vessel.width;
-        const Vec2 place((u - 0.5) * vessel.width, (v - 0.5) * depth);
+        Vec2 place((u - 0.5) * vessel.width, (v - 0.5) * depth);
         from_the_wall.push_back(
             std::min(0.5 * vessel.width - std::abs(place.x()), 0.5 * depth - std::abs(place.y())));
         return place;
