@@ -152,9 +152,9 @@ bool report_missing(const dem::RunResult& result) {
 int run(const CommandLine& line) {
     dem::Scene scene = scene_of(line);
     if (line.check) {
-        const std::string description = dem::check_scene(scene);
-        if (line.resume) dem::check_resume(std::move(scene));
-        std::cout << description;
+        std::optional<double> resumed_at;
+        if (line.resume) resumed_at = dem::check_resume(scene);
+        std::cout << dem::check_scene(scene, resumed_at);
         return 0;
     }
     dem::note_stop_signals();

@@ -131,6 +131,9 @@ void run_steps(RunParts& run, const RunOptions& options, std::uint64_t last_step
         report(options, simulation);
     }
     result.end = *end;
+    if (*end == RunResult::End::at_rest && run.at_rest.has_rocking()) {
+        result.reason = "bodies rock in place";
+    }
     if (*end == RunResult::End::interrupted) result.reason = signal_name(*options.stop_signal);
 }
 
@@ -171,12 +174,13 @@ void describe_end(const RunParts& run, RunResult& result) {
 
 }  // namespace
 
-void check_resume(Scene scene) {
+double check_resume(Scene scene) {
     require_checkpoint(scene);
     const double dt = time_step(scene).value;
     Simulation simulation(std::move(scene), dt);
     AtRest at_rest(simulation.scene());
     load_checkpoint(checkpoint_path(simulation.scene()), simulation, at_rest);
+    return simulation.time();
 }
 
 RunResult run(Scene scene, const RunOptions& options) {

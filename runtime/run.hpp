@@ -32,7 +32,7 @@ struct MissingBodies {
 struct RunResult {
     enum class End : std::uint8_t { end_time, at_rest, interrupted, failed };
     End end = End::end_time;
-    std::string reason;  ///< "SIGTERM" of an interruption, the message of a failure
+    std::string reason;  ///< "SIGTERM" of an interruption, the message of a failure, ...
     std::uint64_t steps = 0;
     std::uint32_t particles = 0;
     std::uint64_t particle_steps = 0;             ///< particles, summed over the steps
@@ -56,7 +56,8 @@ struct RunResult {
 /// and ids, after the last good state has been written as at any other end.
 RunResult run(Scene scene, const RunOptions& options);
 
-/// Throws Error unless a run of this scene could be resumed from its checkpoint. Writes nothing.
-void check_resume(Scene scene);
+/// Throws Error unless a run of this scene could be resumed from its checkpoint, whose time it
+/// returns [s]. Writes nothing.
+double check_resume(Scene scene);
 
 }  // namespace dem

@@ -98,6 +98,9 @@ struct RunSettings {
     std::uint64_t seed = 1;
     int threads = 0;  ///< at most so many; 0: every core
     bool stop_at_rest = false;
+    /// In radii of the smaller body: above it contact laws for small overlaps mean nothing, and the
+    /// run ends.
+    double overlap_limit = 0.1;
     std::optional<Aabb> domain;  ///< leaving it is an error; none: derived from walls and regions
     std::optional<double> skin;  ///< neighbour-list skin [m]; none: chosen
     /// For tests: the threads of each step in turn, which share every loop however small. Empty: as

@@ -8,6 +8,7 @@
 #include "runtime/integrator/integrator.hpp"
 #include "runtime/loop_grain.hpp"
 #include "runtime/measure/energy.hpp"
+#include "runtime/overlap.hpp"
 
 #include <atomic>
 #include <cstdio>
@@ -16,11 +17,6 @@
 namespace dem {
 
 namespace {
-
-/// Overlap, in radii of the smaller body, above which a contact law for small overlaps means
-/// nothing: a run that gets there has too large a time step, too soft a material, or bodies pushed
-/// into each other.
-constexpr double largest_relative_overlap = 0.1;
 
 std::vector<double> surface_reach(const Scene& scene) {
     std::vector<double> reach;
@@ -128,17 +124,35 @@ void Simulation::check_bodies() const {
 }
 
 void Simulation::check_overlap() const {
-    if (largest_overlap_.relative <= largest_relative_overlap) return;
-    const IdPair& ids = largest_overlap_.ids;
-    const std::string partner = largest_overlap_.is_wall ? "wall '" + scene_.walls[ids.j].name + "'"
-                                                         : "particle " + std::to_string(ids.j);
-    throw Error(
-        here(),
-        "particle " + std::to_string(ids.i) + " and " + partner +
-            formatted(" overlap by %.1f %% of the smaller radius, at most %.0f %% expected; ",
-                      100.0 * largest_overlap_.relative, 100.0 * largest_relative_overlap) +
-            (steps_ == 1 ? "they do from the start"
-                         : "take a smaller time step or a stiffer material"));
+    const double relative = largest_overlap_.relative;
+    if (relative <= scene_.run.overlap_limit) return;
+    const auto [i, j] = largest_overlap_.ids;
+    const bool is_wall = largest_overlap_.is_wall;
+    const std::string partner =
+        is_wall ? "wall '" + scene_.walls[j].name + "'" : "particle " + std::to_string(j);
+    const auto is_new = [&](std::uint32_t body) {
+        const InsertionGroup& group = scene_.insertions[particles_.group[body]];
+        return group.allow_overlaps && time() - group.start < 1.5 * dt_;
+    };
+    std::string cause = "they do from the start";
+    if (!is_new(i) && (is_wall || !is_new(j))) {
+        const WallState* wall = is_wall ? &walls_.state[j] : nullptr;
+        const Vec3 other =
+            is_wall
+                ? Vec3(wall->body.velocity +
+                       wall->body.angular_velocity.cross(particles_.position[i] - wall->position))
+                : particles_.velocity[j];
+        const std::uint32_t kind = particles_.kind[i];
+        cause = overlap_cause(scene_,
+                              is_wall ? encounter_with_wall(scene_, kind, scene_.walls[j].material)
+                                      : encounter(scene_, kind, particles_.kind[j]),
+                              (particles_.velocity[i] - other).norm(), relative, dt_);
+    }
+    throw Error(here(), "particle " + std::to_string(i) + " and " + partner +
+                            formatted(" overlap by %.1f %% of the smaller radius, at most %.3g %% "
+                                      "expected; ",
+                                      100.0 * relative, 100.0 * scene_.run.overlap_limit) +
+                            cause);
 }
 
 std::string Simulation::here() const {

@@ -30,8 +30,8 @@ class Simulation {
     Simulation& operator=(const Simulation&) = delete;
 
     /// One time step (docs/time-loop.md). Throws Error with step, time and ids when a body has left
-    /// the domain, is nowhere (not a number) or overlaps by more than a tenth of a radius. The
-    /// state is then that of the failed step.
+    /// the domain, is nowhere (not a number) or overlaps by more than RunSettings::overlap_limit.
+    /// The state is then that of the failed step.
     void step();
 
     double time() const { return static_cast<double>(steps_) * dt_; }  ///< [s]

@@ -53,7 +53,14 @@ constexpr Key run_keys[] = {
      .type = choice,
      .standard = "end_time",
      .words = "end_time at_rest",
-     .doc = "`at_rest`: end early once everything is inserted and has come to rest"},
+     .doc = "`at_rest`: end early once everything is inserted and has come to rest, or "
+            "nothing but rocks in place"},
+    {.name = "overlap_limit",
+     .range = {.low = 0.0, .high = 1.0, .low_allowed = false},
+     .standard = "0.1",
+     .doc =
+         "largest overlap of two bodies in radii of the smaller one; beyond it the run ends with "
+         "an error"},
     {.name = "domain",
      .type = region,
      .dimension = length,

@@ -15,7 +15,8 @@ namespace dem {
 namespace {
 
 /// Keys of [run] that change no bit of any state on the way.
-constexpr std::array<std::string_view, 4> free_keys = {"end_time", "stop", "threads", "skin"};
+constexpr std::array<std::string_view, 5> free_keys = {"end_time", "stop", "overlap_limit",
+                                                       "threads", "skin"};
 /// Keys whose value is the path of a file, relative to the case file.
 constexpr std::array<std::string_view, 2> file_keys = {"template", "file"};
 

@@ -15,6 +15,7 @@ RunSettings read_run(const Values& values) {
     run.seed = values.count("seed");
     run.threads = static_cast<int>(values.count("threads"));
     run.stop_at_rest = values.word("stop") == "at_rest";
+    run.overlap_limit = values.number("overlap_limit");
     run.skin = values.optional_number("skin");
     if (run.time_step && *run.time_step > run.end_time) {
         throw Error(values.where("time_step"),

@@ -3,9 +3,12 @@
 
 #include "common/progress.hpp"
 #include "common/threads/available_cores.hpp"
+#include "runtime/case/run_cost.hpp"
 #include "runtime/insertion/inserter.hpp"
+#include "runtime/overlap.hpp"
 #include "runtime/time_step.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -13,14 +16,6 @@
 namespace dem {
 
 namespace {
-
-/// What a settled particle costs on one core of 2.6 to 3 GHz (docs/benchmarks.md) [s]; good enough
-/// to tell minutes from days.
-double seconds_per_step(const ParticleTemplate& shape) {
-    if (std::holds_alternative<Sphere>(shape.shape)) return 0.5e-6;
-    if (const auto* sr = std::get_if<SrShape>(&shape.shape)) return sr->is_convex ? 1.4e-6 : 3e-6;
-    return 2e-6;
-}
 
 /// How much faster threads make a run, from two threads on two cores.
 double speed_up(int threads) {
@@ -55,13 +50,6 @@ double mass(const Scene& scene, const InsertionGroup& group, std::uint64_t count
         total += static_cast<double>(times) * scene.kinds[group.kinds[k]].mass;
     }
     return total;
-}
-
-/// Time of the last batch if none finds its region occupied [s]; the start for other groups.
-double last_insertion(const InsertionGroup& group) {
-    if (group.mode != InsertionGroup::Mode::batches) return group.start;
-    const std::uint64_t batches = (group.count + group.batch - 1) / group.batch;
-    return group.start + static_cast<double>(batches - 1) * group.every;
 }
 
 void describe(const Scene& scene, const InsertionGroup& group, std::ostringstream& out) {
@@ -117,26 +105,36 @@ void describe(const TimeStep& step, const RunSettings& run, std::ostringstream& 
     } else {
         out << "1/" << run.time_step_fraction << " of ";
     }
+    if (std::isinf(step.critical)) {
+        out << "no body can move, and none is too long\n";
+        return;
+    }
     out << "the critical time " << step.critical << " s (" << origin(step) << ")\n";
+}
+
+void describe(const RunCost& cost, int threads, std::ostringstream& out) {
+    const int cores = available_cores();
+    const int used = threads > 0 ? std::min(threads, cores) : cores;
+    out << "estimate: about " << format_duration(cost.steps / speed_up(used) + cost.measures)
+        << " on " << used << (used == 1 ? " core" : " cores");
+    if (cost.measures > 0.1 * cost.steps) {
+        out << ", " << format_duration(cost.measures) << " of it for measures";
+    }
+    out << "\n";
 }
 
 }  // namespace
 
-std::string check_scene(const Scene& scene) {
+std::string check_scene(const Scene& scene, std::optional<double> resumed_at) {
     const TimeStep step = time_step(scene);
     try_insertion(scene);
     std::ostringstream out;
     out << std::setprecision(4) << scene.case_path << "\n";
     std::uint64_t bodies = 0;
-    double work = 0.0;  // of all bodies for as long as each is there, on one core [s]
     double total_mass = 0.0;
     for (const InsertionGroup& group : scene.insertions) {
         bodies += group.count;
         total_mass += mass(scene, group, group.count);
-        const double average_start = 0.5 * (group.start + last_insertion(group));
-        const double steps = std::max(0.0, scene.run.end_time - average_start) / step.value;
-        const ParticleTemplate& shape = scene.shapes[scene.kinds[group.kinds.front()].shape];
-        work += static_cast<double>(group.count) * steps * seconds_per_step(shape);
     }
     out << "particles: " << bodies << ", " << total_mass << " kg\n";
     for (const InsertionGroup& group : scene.insertions) describe(scene, group, out);
@@ -146,12 +144,17 @@ std::string check_scene(const Scene& scene) {
     }
     out << (scene.walls.empty() ? "\n" : ")\n");
     describe(step, scene.run, out);
-    const int cores = available_cores();
-    const int used = scene.run.threads > 0 ? std::min(scene.run.threads, cores) : cores;
-    out << "steps: " << step_count(scene.run, step.value, scene.case_path) << " to "
-        << scene.run.end_time << " s\n"
-        << "estimate: about " << format_duration(work / speed_up(used)) << " on " << used
-        << (used == 1 ? " core\n" : " cores\n");
+    out << foreseen_overlap(scene, step.largest_speed) << "steps: ";
+    const std::uint64_t steps = step_count(scene.run, step.value, scene.case_path);
+    if (resumed_at) {
+        const auto done = static_cast<std::uint64_t>(std::llround(*resumed_at / step.value));
+        out << steps - std::min(steps, done) << " more of " << steps << ", from " << *resumed_at
+            << " s";
+    } else {
+        out << steps;
+    }
+    out << " to " << scene.run.end_time << " s\n";
+    describe(run_cost(scene, resumed_at.value_or(0.0), step.value), scene.run.threads, out);
     return out.str();
 }
 

@@ -39,10 +39,10 @@ void check_case(const std::string& where, const std::vector<std::string>& before
         before.begin(), before.begin() + static_cast<std::ptrdiff_t>(common), now.begin());
     const auto k = static_cast<std::size_t>(first.first - before.begin());
     if (k == before.size() && k == now.size()) return;
-    throw Error(where,
-                "was made with " + quoted_or_nothing(before, k) + " where the case now has " +
-                    quoted_or_nothing(now, k) +
-                    ", expected no change but of end_time, stop, threads, skin and [output]");
+    throw Error(where, "was made with " + quoted_or_nothing(before, k) +
+                           " where the case now has " + quoted_or_nothing(now, k) +
+                           ", expected no change but of end_time, stop, overlap_limit, threads, "
+                           "skin and [output]");
 }
 
 }  // namespace

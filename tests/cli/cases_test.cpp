@@ -58,6 +58,7 @@ TEST_P(Case, IsAcceptedWithTheShapesThatItsHeadCooks) {
         run_command(program("demrun") + " " + GetParam() + ".ini --check", folder);
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_EQ(outcome.output.find("AFTER end_time"), std::string::npos) << outcome.output;
+    EXPECT_EQ(outcome.output.find("warning"), std::string::npos) << outcome.output;
     fs::remove_all(folder);
 }
 

@@ -269,7 +269,7 @@ TEST_F(Demrun, AnInterruptedRunIsResumedToTheSameEnd) {
     EXPECT_EQ(other.errors,
               "demrun: error: parts/checkpoint.h5: was made with '[contact] friction = 0.3' where "
               "the case now has '[contact] friction = 0.1', expected no change but of end_time, "
-              "stop, threads, skin and [output]\n");
+              "stop, overlap_limit, threads, skin and [output]\n");
 }
 
 TEST_F(Demrun, AKilledRunIsResumedFromItsLastCheckpoint) {
