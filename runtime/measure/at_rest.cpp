@@ -11,51 +11,79 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Kinetic energy of a resting body, in m g d.
 constexpr double resting_energy = 1e-6;
+/// The same of one that rocks in place, the way that its center may go, in d, and for how long it
+/// does, in sqrt(d/g).
+constexpr double rocking_energy = 0.1;
+constexpr double rocking_distance = 0.5;
+constexpr double rocking_time = 100.0;
 /// Looks within the time that a body must stay slow.
 constexpr double looks = 50.0;
+
+double diameter(const Scene& scene, std::uint32_t kind) {
+    return equivalent_diameter(scene.shapes[scene.kinds[kind].shape].mass_properties.volume);
+}
+
 }  // namespace
 
-AtRest::AtRest(const Scene& scene) : gravity_(scene.run.gravity.norm()), slow_since_(infinite) {
-    for (const BodyKind& kind : scene.kinds) {
-        const double volume = scene.shapes[kind.shape].mass_properties.volume;
-        largest_diameter_ = std::max(largest_diameter_, equivalent_diameter(volume));
+AtRest::AtRest(const Scene& scene)
+    : gravity_(scene.run.gravity.norm()), slow_since_(infinite), in_place_since_(infinite) {
+    for (std::uint32_t k = 0; k < scene.kinds.size(); ++k) {
+        largest_diameter_ = std::max(largest_diameter_, diameter(scene, k));
     }
 }
 
-bool AtRest::is_slow(const Simulation& simulation) {
+void AtRest::look_at_energies(const Simulation& simulation) {
     const Particles& p = simulation.particles();
     const Scene& scene = simulation.scene();
-    // Twice the kinetic energy per mass, in units of g d.
-    std::vector<double> speed2(p.size());
+    speed2_.assign(p.size(), 0.0);
     for (std::uint32_t i = 0; i < p.size(); ++i) {
         const double mass = scene.kinds[p.kind[i]].mass;
         if (scene.kinds[p.kind[i]].inverse_inertia.mass == 0.0) continue;
-        speed2[i] =
+        speed2_[i] =
             p.velocity[i].squaredNorm() + p.angular_momentum[i].dot(p.angular_velocity[i]) / mass;
-        largest_speed2_ = std::max(largest_speed2_, speed2[i]);
+        largest_speed2_ = std::max(largest_speed2_, speed2_[i]);
     }
+}
+
+bool AtRest::are_below(double energy, const Simulation& simulation) const {
+    const Particles& p = simulation.particles();
     for (std::uint32_t i = 0; i < p.size(); ++i) {
-        const double volume = scene.shapes[scene.kinds[p.kind[i]].shape].mass_properties.volume;
         const double scale =
-            gravity_ > 0.0 ? gravity_ * equivalent_diameter(volume) : largest_speed2_;
-        if (speed2[i] > 2.0 * resting_energy * scale) return false;
+            gravity_ > 0.0 ? gravity_ * diameter(simulation.scene(), p.kind[i]) : largest_speed2_;
+        if (speed2_[i] > 2.0 * energy * scale) return false;
+    }
+    return true;
+}
+
+bool AtRest::are_in_place(const Simulation& simulation) const {
+    const Particles& p = simulation.particles();
+    if (places_.size() != p.size() || !are_below(rocking_energy, simulation)) return false;
+    for (std::uint32_t i = 0; i < p.size(); ++i) {
+        const double way = (p.position[i] - places_[i]).norm();
+        if (way > rocking_distance * diameter(simulation.scene(), p.kind[i])) return false;
     }
     return true;
 }
 
 void AtRest::look(const Simulation& simulation) {
-    if (simulation.time() < next_look_) return;
+    const double time = simulation.time();
+    if (time < next_look_) return;
     const double hold = gravity_ > 0.0          ? std::sqrt(largest_diameter_ / gravity_)
                         : largest_speed2_ > 0.0 ? largest_diameter_ / std::sqrt(largest_speed2_)
                                                 : 0.0;
-    next_look_ = simulation.time() + hold / looks;
+    next_look_ = time + hold / looks;
+    look_at_energies(simulation);
     const bool is_complete = std::isinf(simulation.inserter().next_time());
-    if (!is_complete || !is_slow(simulation)) {
-        slow_since_ = infinite;
-        return;
+    const bool is_slow = is_complete && are_below(resting_energy, simulation);
+    slow_since_ = is_slow ? std::min(slow_since_, time) : infinite;
+    if (!is_complete || gravity_ == 0.0) {
+        in_place_since_ = infinite;
+    } else if (std::isinf(in_place_since_) || !are_in_place(simulation)) {
+        places_ = simulation.particles().position;
+        in_place_since_ = time;
     }
-    slow_since_ = std::min(slow_since_, simulation.time());
-    was_reached_ = simulation.time() >= slow_since_ + hold;
+    has_rocking_ = time < slow_since_ + hold;
+    was_reached_ = !has_rocking_ || time >= in_place_since_ + rocking_time * hold;
 }
 
 }  // namespace dem

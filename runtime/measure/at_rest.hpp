@@ -3,13 +3,17 @@
 
 #include "runtime/simulation.hpp"
 
+#include <vector>
+
 namespace dem {
 
-/// Decides when everything has come to rest: nothing is left to insert, and the kinetic energy of
-/// every body has stayed below a millionth of m g d (of d: the diameter of the sphere of equal
-/// volume; the speed of a fall through d/10^6) for the time sqrt(d/g) of the largest body. At the
-/// top of its flight a body is that slow for less than a hundredth of this time. Without gravity
-/// g d is the square of the largest speed so far.
+/// Decides when everything has come to rest: nothing is left to insert, and every body
+/// - is slow: its kinetic energy has stayed below a millionth of m g d (of d: the diameter of the
+///   sphere of equal volume; the speed of a fall through d/10^6) for the time sqrt(d/g) of the
+///   largest body. At the top of its flight a body is that slow for less than a hundredth of this
+///   time. Without gravity g d is the square of the largest speed so far.
+/// - or, in gravity, rocks in place, which no friction of the law damps: its center has stayed
+///   within half of d, and its energy below a tenth of m g d, for a hundred times as long.
 class AtRest {
   public:
     explicit AtRest(const Scene& scene);
@@ -18,6 +22,8 @@ class AtRest {
     void look(const Simulation& simulation);
 
     bool was_reached() const { return was_reached_; }
+    /// When it was: bodies that rock in place are among them.
+    bool has_rocking() const { return has_rocking_; }
 
     /// What has been seen so far, for checkpoints.
     template <class Self, class Visit>
@@ -25,18 +31,27 @@ class AtRest {
         visit("at_rest.largest_speed2", self.largest_speed2_);
         visit("at_rest.slow_since", self.slow_since_);
         visit("at_rest.next_look", self.next_look_);
+        visit("at_rest.places", self.places_);
+        visit("at_rest.in_place_since", self.in_place_since_);
         visit("at_rest.was_reached", self.was_reached_);
+        visit("at_rest.has_rocking", self.has_rocking_);
     }
 
   private:
-    bool is_slow(const Simulation& simulation);
+    void look_at_energies(const Simulation& simulation);
+    bool are_below(double energy, const Simulation& simulation) const;
+    bool are_in_place(const Simulation& simulation) const;
 
+    std::vector<double> speed2_;     ///< twice the kinetic energy over the mass [m^2/s^2]
     double largest_diameter_ = 0.0;  ///< [m]
     double gravity_;                 ///< [m/s^2]
     double largest_speed2_ = 0.0;    ///< [m^2/s^2]
     double slow_since_;              ///< [s]
+    std::vector<Vec3> places_;       ///< of the centers at the time `in_place_since_`
+    double in_place_since_;          ///< [s]
     double next_look_ = 0.0;         ///< [s]
     bool was_reached_ = false;
+    bool has_rocking_ = false;
 };
 
 }  // namespace dem

@@ -76,6 +76,33 @@ TEST_F(Run, EndsAtRest) {
     EXPECT_LT(result.time, 1.0);
 }
 
+TEST_F(Run, EndsWhereABodyRocksInPlaceUndamped) {
+    Scene scene = scenes::one_material({2e6, 1250.0, 0.5, 0.4});
+    scenes::add_kind(scene, scenes::candy(0));
+    scene.walls = {scenes::plane({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0})};
+    BodyPlacement body;
+    body.position = {0.0, 0.0, 0.012};
+    body.orientation = Quat(Eigen::AngleAxisd(0.5, Vec3::UnitX()));
+    scene.insertions.push_back(scenes::placed({body}));
+    scene.run.end_time = 10.0;
+    scene.run.stop_at_rest = true;
+    scene.run.threads = 1;
+    scene.output.directory = directory_.string();
+    scene.output.picture = false;
+    const RunResult result = run(scene, {});
+    EXPECT_EQ(result.end, RunResult::End::at_rest);
+    EXPECT_EQ(result.reason, "bodies rock in place");
+    EXPECT_LT(result.time, 5.0);
+    // Not while it rolls away.
+    scene.kinds.clear();
+    scene.shapes.clear();
+    scenes::add_kind(scene, scenes::sphere(5e-3));
+    scene.insertions[0].placements[0].velocity = {0.02, 0.0, 0.0};
+    scene.run.end_time = 5.0;
+    scene.output.directory = (folder_ / "rolls").string();
+    EXPECT_EQ(run(scene, {}).end, RunResult::End::end_time);
+}
+
 TEST_F(Run, ComputesAMeasureWhenItsOwnIntervalIsDue) {
     Scene scene = bouncing_sphere();
     scene.measures = {{"rare", MeasureSettings::Kind::contacts, 0.02},
