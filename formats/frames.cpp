@@ -3,9 +3,12 @@
 
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
+#include "common/state_hash.hpp"
 #include "formats/hdf5_file.hpp"
 #include "formats/hdf5_reader.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <numeric>
 
@@ -75,6 +78,26 @@ void write_shapes(Hdf5File& file, std::span<const ParticleTemplate> shapes) {
     file.describe("/shapes/bounding_radius", "units", "m");
 }
 
+/// Of all that a frame holds, by which a damaged one is found when its run is resumed.
+class FrameHash {
+  public:
+    void add(std::span<const std::byte> table) {
+        ContentHash hash;
+        hash.add(table);
+        const std::uint64_t value = hash.value();
+        hash_.add(std::span(&value, 1));
+    }
+    std::uint64_t value() const { return hash_.value(); }
+
+  private:
+    StateHash hash_;
+};
+
+/// The tables of a frame in the order of its hash.
+constexpr std::array<const char*, 9> table_names = {
+    "position", "id",    "orientation",  "velocity", "angular_velocity",
+    "shape",    "group", "coordination", "force"};
+
 /// One table of a frame: in the file and in the index.
 class FrameTables {
   public:
@@ -83,13 +106,17 @@ class FrameTables {
         file_.make_group(group_);
     }
 
+    std::uint64_t hash() const { return hash_.value(); }
+
     XdmfTable add(const std::string& name, std::span<const double> values, std::size_t columns,
                   const char* units) {
+        hash_.add(std::as_bytes(values));
         file_.write(group_ + name, values, columns);
         file_.describe(group_ + name, "units", units);
         return {place_ + name, values.size() / columns, columns, "Float", 8};
     }
     XdmfTable add(const std::string& name, std::span<const std::uint32_t> values) {
+        hash_.add(std::as_bytes(values));
         file_.write(group_ + name, values);
         return {place_ + name, values.size(), 1, "UInt", 4};
     }
@@ -98,6 +125,7 @@ class FrameTables {
     Hdf5File& file_;
     std::string group_;
     std::string place_;
+    FrameHash hash_;
 };
 
 XdmfGrid write_tables(FrameTables& tables, const Frame& frame) {
@@ -144,6 +172,19 @@ std::string frame_name(std::uint64_t number) {
     char text[24];
     std::snprintf(text, sizeof text, "%08llu", static_cast<unsigned long long>(number));
     return text;
+}
+
+/// Throws Error unless the frame is as it was written.
+void check_frame(const std::filesystem::path& path, const Hdf5Reader& file,
+                 const std::string& group) {
+    const std::vector<std::string> members = file.members(group);
+    FrameHash hash;
+    for (const char* name : table_names) {
+        if (std::ranges::find(members, name) == members.end()) continue;
+        hash.add(file.content(group + "/" + name));
+    }
+    if (hash.value() == file.number(group, "hash")) return;
+    throw Error(path.string(), "has a frame " + group + " that was changed after it was written");
 }
 
 }  // namespace
@@ -207,6 +248,7 @@ void FrameWriter::take_up() {
             if (name >= frame_name(count_)) {
                 later.push_back(group);
             } else {
+                check_frame(path_, file, group);
                 entries.push_back(file.text(group, "xdmf"));
                 last = name;
             }
@@ -242,6 +284,7 @@ void FrameWriter::append(const Frame& frame) {
     file.describe(group, "time", frame.time);
     file.describe(group, "step", frame.step);
     file.describe(group, "count", std::uint64_t{frame.position.size()});
+    file.describe(group, "hash", tables.hash());
     const std::string entry = index_.entry(grid);
     file.describe(group, "xdmf", entry);
     file.close();

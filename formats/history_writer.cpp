@@ -28,7 +28,8 @@ HistoryWriter::HistoryWriter(const std::filesystem::path& path,
 }
 
 HistoryWriter::HistoryWriter(const std::filesystem::path& path,
-                             std::span<const std::string> columns, std::uint64_t rows)
+                             std::span<const std::string> columns, std::uint64_t rows,
+                             std::uint64_t hash)
     : path_(path), columns_(columns.size()), rows_(rows) {
     std::ifstream in(path, std::ios::binary);
     std::string line;
@@ -43,10 +44,16 @@ HistoryWriter::HistoryWriter(const std::filesystem::path& path,
     while (found < rows && std::getline(in, line) && !in.eof()) {
         ++found;
         end = in.tellg();
+        add_to_hash(line);
     }
     if (found < rows) {
         throw Error(path.string(), std::to_string(found) + " rows found, expected the " +
                                        std::to_string(rows) + " written before the checkpoint");
+    }
+    if (hash_.value() != hash) {
+        throw Error(path.string(),
+                    "rows changed since they were written found, expected the history of the run "
+                    "that is resumed");
     }
     in.close();
     std::error_code error;
@@ -70,7 +77,13 @@ void HistoryWriter::append(std::span<const std::optional<double>> values) {
         if (values[k]) line += number_text(*values[k]);
     }
     write(line);
+    add_to_hash(line);
     ++rows_;
+}
+
+void HistoryWriter::add_to_hash(const std::string& line) {
+    hash_.add(std::span<const char>(line));
+    hash_.add(std::span<const char>("\n", 1));
 }
 
 void HistoryWriter::write(const std::string& line) {

@@ -142,7 +142,8 @@ Outputs::Outputs(const Scene& scene)
 
 Outputs::Outputs(const Scene& scene, const OutputProgress& progress)
     : directory_(scene.output.directory),
-      history_(directory_ / "history.csv", history_columns(scene), progress.rows),
+      history_(directory_ / "history.csv", history_columns(scene), progress.rows,
+               progress.rows_hash),
       frames_(directory_, frame_context(scene), scene.shapes, progress.frames),
       progress_(resumed(scene, progress)),
       frame_cadence_(progress_.frames_every),
@@ -178,6 +179,7 @@ void Outputs::sample(const Simulation& simulation) {
     if (row_is_due) write_row(simulation);
     progress_.frames = frames_.count();
     progress_.rows = history_.rows();
+    progress_.rows_hash = history_.hash();
     progress_.sampled = time;
 }
 

@@ -17,10 +17,11 @@ namespace dem {
 /// has not been sampled: the run that goes on does that, if it is due then.
 struct OutputProgress {
     std::uint64_t frames = 0;
-    std::uint64_t rows = 0;      ///< of history.csv
-    double sampled = -1.0;       ///< what was due up to then is in the files [s]
-    double frames_every = 0.0;   ///< [s]
-    double history_every = 0.0;  ///< [s]
+    std::uint64_t rows = 0;       ///< of history.csv
+    std::uint64_t rows_hash = 0;  ///< of what they say
+    double sampled = -1.0;        ///< what was due up to then is in the files [s]
+    double frames_every = 0.0;    ///< [s]
+    double history_every = 0.0;   ///< [s]
 };
 
 /// DIR/checkpoint.h5.
@@ -36,7 +37,7 @@ class Outputs {
 
     /// Goes on with the files of the run that made a checkpoint: what they have more than
     /// `progress` says is dropped. Intervals that the case leaves open stay as they were, whatever
-    /// its end time is now. Throws Error when the files have less.
+    /// its end time is now. Throws Error when the files have less or were changed.
     Outputs(const Scene& scene, const OutputProgress& progress);
 
     /// Writes what is due at the present time; call before each step.

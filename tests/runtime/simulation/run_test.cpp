@@ -346,6 +346,37 @@ TEST_F(ResumedRun, RefusesWhatItCannotContinueAndTouchesNothing) {
     EXPECT_EQ(text("a/history.csv"), history);
 }
 
+TEST_F(ResumedRun, RefusesRowsThatWereChanged) {
+    run(pour(0.03, 1, "a"), {});
+    std::string history = text("a/history.csv");
+    const std::size_t digit = history.find('\n') + 3;
+    history[digit] = history[digit] == '1' ? '2' : '1';
+    std::ofstream(directory_ / "a/history.csv") << history;
+    const std::string message = resume_error(pour(0.04, 1, "a"));
+    EXPECT_NE(message.find("history.csv: rows changed since they were written found"),
+              std::string::npos)
+        << message;
+    EXPECT_EQ(text("a/history.csv"), history);
+}
+
+TEST_F(ResumedRun, RefusesFramesThatWereDamaged) {
+    run(pour(0.03, 1, "a"), {});
+    // The place of a body in the second frame, as the file holds it.
+    const Hdf5Reader frames(directory_ / "a/frames.h5");
+    const std::vector<std::byte> positions = frames.content("/frames/00000001/position");
+    std::string file = text("a/frames.h5");
+    const std::size_t place =
+        file.find(std::string(reinterpret_cast<const char*>(positions.data()), positions.size()));
+    ASSERT_NE(place, std::string::npos);
+    file[place + 4] = static_cast<char>(file[place + 4] ^ 1);
+    std::ofstream(directory_ / "a/frames.h5", std::ios::binary) << file;
+    const std::string message = resume_error(pour(0.04, 1, "a"));
+    EXPECT_NE(message.find("frames.h5: has a frame /frames/00000001 that was changed after it was "
+                           "written, expected the frames before the checkpoint"),
+              std::string::npos)
+        << message;
+}
+
 TEST_F(Run, KeepsOthersOutOfItsFolder) {
     {
         const FolderLock lock(directory_);
