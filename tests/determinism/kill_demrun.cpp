@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// usage: kill_demrun [KILLS [SEED]]
+// usage: kill_demrun [KILLS [SEED [END_TIME]]]
 // Kills runs of demrun (kill -9) at random moments, resumes each with another number of threads,
 // and compares: after every kill each frame that the run had written is in frames.h5 with the bits
 // of an uninterrupted run, and in the end so are final.csv, history.csv, the index and every data
@@ -97,8 +97,9 @@ std::size_t frames_due(const fs::path& folder) {
 
 class KillTest {
   public:
-    KillTest(std::string demrun, std::uint64_t seed)
+    KillTest(std::string demrun, std::uint64_t seed, const std::string& end_time)
         : demrun_(std::move(demrun)),
+          end_time_("run.end_time=" + end_time),
           random_(seed, 0),
           folder_(fs::temp_directory_path() / ("kill-demrun-" + std::to_string(getpid()))) {
         fs::create_directories(folder_);
@@ -152,8 +153,9 @@ class KillTest {
 
     pid_t begin(const std::string& out, int threads) const {
         const std::string count = std::to_string(threads);
-        std::vector<const char*> words = {demrun_.c_str(), "pour.ini",  "--quiet",    "--out",
-                                          out.c_str(),     "--threads", count.c_str()};
+        std::vector<const char*> words = {demrun_.c_str(), "pour.ini",  "--quiet",
+                                          "--out",         out.c_str(), "--threads",
+                                          count.c_str(),   "--set",     end_time_.c_str()};
         if (fs::exists(folder_ / out / "checkpoint.h5")) words.push_back("--resume");
         words.push_back(nullptr);
         const pid_t child = fork();
@@ -230,6 +232,7 @@ class KillTest {
     }
 
     std::string demrun_;
+    std::string end_time_;
     Random random_;
     fs::path folder_;
     double duration_ = 0.0;
@@ -247,8 +250,9 @@ class KillTest {
 int main(int argc, char** argv) {
     const int kills = argc > 1 ? std::stoi(argv[1]) : 100;
     const std::uint64_t seed = argc > 2 ? std::stoull(argv[2]) : 1;
+    const std::string end_time = argc > 3 ? argv[3] : "0.35";
     try {
-        dem::KillTest test(DEM_BINARY_DIR "/bin/demrun", seed);
+        dem::KillTest test(DEM_BINARY_DIR "/bin/demrun", seed, end_time);
         test.run(kills);
         return test.report();
     } catch (const std::exception& error) {
