@@ -146,7 +146,7 @@ std::exception_ptr run_to_end(RunParts& run, const RunOptions& options, std::uin
     } catch (const std::exception& error) {
         result.end = RunResult::End::failed;
         result.reason = error.what();
-        const std::exception_ptr failure = std::current_exception();
+        std::exception_ptr failure = std::current_exception();
         if (run.simulation->steps() != run.good_steps) {
             run.simulation = run.rewind.back_to(run.good_steps, *run.simulation);
         }
