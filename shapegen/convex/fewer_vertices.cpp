@@ -2,6 +2,7 @@
 #include "shapegen/convex/fewer_vertices.hpp"
 
 #include "common/shapes/make_convex.hpp"
+#include "shapegen/convex/exact_hull.hpp"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +43,7 @@ FewerVertices with_fewer_vertices(const ConvexPolyhedron& solid, std::size_t cou
         chosen.push_back(points[k]);
         is_chosen[k] = true;
     }
-    FewerVertices result{convex_hull(chosen), 0.0};
+    FewerVertices result{exact_hull(chosen), 0.0};
     ConvexShape shape = rounded_around(result.solid, 0.0);
     // Distances only fall while the hull grows: those in the queue are upper bounds, and a point
     // whose distance of now is still the largest is the farthest (lazy greedy). Of equals the one
@@ -65,7 +66,7 @@ FewerVertices with_fewer_vertices(const ConvexPolyhedron& solid, std::size_t cou
         result.error_max = std::max(now.first, 0.0);
         if (chosen.size() == count) return result;
         chosen.push_back(points[k]);
-        result.solid = convex_hull(chosen);
+        result.solid = exact_hull(chosen);
         shape = rounded_around(result.solid, 0.0);
     }
     result.error_max = 0.0;

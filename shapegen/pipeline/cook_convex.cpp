@@ -4,11 +4,13 @@
 #include "common/error.hpp"
 #include "common/format.hpp"
 #include "common/shapes/convex_moments.hpp"
+#include "common/shapes/hull_faces.hpp"
 #include "common/state_hash.hpp"
 #include "common/units.hpp"
 #include "formats/memory_map.hpp"
 #include "shapegen/convex/convex_display.hpp"
 #include "shapegen/convex/core_scale.hpp"
+#include "shapegen/convex/exact_hull.hpp"
 #include "shapegen/convex/fewer_vertices.hpp"
 #include "shapegen/import/mesh_file.hpp"
 
@@ -79,7 +81,7 @@ struct MeshHull {
 };
 
 MeshHull hull_of(const TriangleMesh& mesh, const std::optional<Rounding>& rounding) {
-    MeshHull result{convex_hull(mesh.vertices), {}, {}, 0.0, 0.0, 0.0};
+    MeshHull result{exact_hull(mesh.vertices), {}, {}, 0.0, 0.0, 0.0};
     // About its center: no differences of large moments.
     result.center = sharp_solid(result.hull).mass_properties.center_of_mass;
     for (Vec3& v : result.hull.vertices) v -= result.center;
@@ -87,7 +89,7 @@ MeshHull hull_of(const TriangleMesh& mesh, const std::optional<Rounding>& roundi
     result.volume = sharp.mass_properties.volume;
     result.rounding =
         rounding ? rounding->radius(result.volume) : default_rounding(sharp.shape, result.volume);
-    result.core = eroded(result.hull, result.rounding);
+    result.core = eroded(result.hull, result.rounding, exact_hull);
     result.rounded_volume = volume_of(result.core, result.rounding);
     return result;
 }

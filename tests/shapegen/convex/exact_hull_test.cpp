@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapegen/convex/exact_hull.hpp"
+
+#include "common/error.hpp"
+#include "common/shapes/convex_moments.hpp"
+#include "common/shapes/hull_faces.hpp"
+#include "tests/common/shapes/sample_convex.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace dem::test {
+namespace {
+
+double volume(const ConvexPolyhedron& solid) {
+    return convex_moments(rounded_around(solid, 0.0)).volume;
+}
+
+/// As binary STL holds it.
+Vec3 single_precision(const Vec3& p) {
+    return p.cast<float>().cast<double>();
+}
+
+/// Corners of a box whose faces are grids, turned, in single precision.
+std::vector<Vec3> gridded_box(const Vec3& edges, int cells, const Quat& attitude) {
+    std::vector<Vec3> points;
+    for (int face = 0; face < 6; ++face) {
+        for (int i = 0; i <= cells; ++i) {
+            for (int j = 0; j <= cells; ++j) {
+                Vec3 p = Vec3::Constant(face < 3 ? 0.0 : 1.0);
+                p[(face + 1) % 3] = static_cast<double>(i) / cells;
+                p[(face + 2) % 3] = static_cast<double>(j) / cells;
+                points.push_back(single_precision(attitude * p.cwiseProduct(edges)));
+            }
+        }
+    }
+    return points;
+}
+
+TEST(ExactHull, OfAFineBoxInSinglePrecisionErodesAsTheBox) {
+    // Rounding leaves the points of a face 6e-8 of the extent beside it: some see a face that
+    // faces inwards, or none, where heights are told by a tolerance.
+    const Vec3 edges(5.672, 5.387, 0.4734);
+    const double depth = 0.02;
+    Random random(3, 1);
+    for (int k = 0; k < 60; ++k) {
+        const Quat attitude = random.orientation();
+        const ConvexPolyhedron hull = exact_hull(gridded_box(edges, 6 + k % 10, attitude));
+        EXPECT_NEAR(volume(hull) / edges.prod(), 1.0, 2e-6) << k;
+        const ConvexPolyhedron core = eroded(hull, depth, exact_hull);
+        const double expected = (edges - Vec3::Constant(2.0 * depth)).prod();
+        EXPECT_NEAR(volume(core) / expected, 1.0, 2e-6) << k;
+    }
+}
+
+TEST(ExactHull, KeepsEveryPointOfASphereInSinglePrecisionFarFromTheOrigin) {
+    std::vector<Vec3> points = random_points(5000, {1.0, 1.0, 1.0}, 5);
+    for (Vec3& p : points) p = single_precision(p + Vec3(10.0, 20.0, 30.0));
+    const ConvexPolyhedron hull = exact_hull(points);
+    EXPECT_EQ(hull.vertices.size(), points.size());
+    EXPECT_EQ(hull.vertices, convex_hull(points).vertices);
+}
+
+TEST(ExactHull, OfACubeWithPointsOnAndInItHasWholeFaces) {
+    std::vector<Vec3> points = gridded_box(Vec3::Ones(), 4, Quat::Identity());
+    points.emplace_back(0.3, 0.4, 0.5);
+    const ConvexPolyhedron hull = exact_hull(points);
+    EXPECT_EQ(hull.vertices.size(), 8U);
+    EXPECT_EQ(hull.faces.size(), 6U);
+}
+
+TEST(ExactHull, RefusesWhatIsNoSolid) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<Vec3> three{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const std::vector<Vec3> flat{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.3, 0.2, 0}};
+    const std::vector<Vec3> nearly{{0, 0, 0}, {1, 0, 1e-12}, {0, 1, 0}, {1, 1, 0}, {0.3, 0.2, 0}};
+    const std::vector<Vec3> line{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}};
+    const std::vector<Vec3> point{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
+    const std::vector<Vec3> broken{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, nan, 1}};
+    for (const auto& points : {three, flat, nearly, line, point, broken})
+        EXPECT_THROW(exact_hull(points), Error);
+}
+
+}  // namespace
+}  // namespace dem::test
