@@ -5,6 +5,7 @@
 #include "tests/common/shapes/sample_meshes.hpp"
 #include "tests/formats/temporary_folder.hpp"
 #include "tests/shapegen/repair/closed_surface.hpp"
+#include "tests/shapegen/repair/soup_of_mesh.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,27 +25,12 @@ TriangleMesh other_cube(const Vec3& lower) {
     return sample::inside_out(mesh);
 }
 
-TriangleSoup indexed(const TriangleMesh& mesh) {
-    return {mesh.vertices, mesh.triangles};
-}
-
-/// As STL holds a mesh: each triangle with corners of its own.
-TriangleSoup apart(const TriangleMesh& mesh) {
-    TriangleSoup soup;
-    for (const auto& triangle : mesh.triangles) {
-        const auto n = static_cast<std::uint32_t>(soup.points.size());
-        for (const std::uint32_t v : triangle) soup.points.push_back(mesh.vertices[v]);
-        soup.triangles.push_back({n, n + 1, n + 2});
-    }
-    return soup;
-}
-
 RepairedMesh united(const TriangleSoup& soup) {
     return repair(soup, {.limit = 0.0, .unite = true});
 }
 
 void expect_united(const TriangleMesh& parts, double volume) {
-    for (const TriangleSoup& soup : {indexed(parts), apart(parts)}) {
+    for (const TriangleSoup& soup : {soup_of(parts), apart(parts)}) {
         const RepairedMesh result = united(soup);
         EXPECT_NEAR(enclosed_volume(result.mesh) / volume, 1.0, 1e-14);
         EXPECT_NEAR(result.report.volume / volume, 1.0, 1e-14);
@@ -73,7 +59,7 @@ TEST(Parts, ThatShareAFaceBecomeOneHoweverItIsCut) {
 TEST(Parts, AFaceThatTwoShareExactlyGoesWithoutAsking) {
     const TriangleMesh parts = sample::together(
         cube({0, 0, 0}), sample::moved(cube({0, 0, 0}), Mat3::Identity(), Vec3(0, 0, 1)));
-    const RepairedMesh result = repair(indexed(parts));
+    const RepairedMesh result = repair(soup_of(parts));
     EXPECT_NEAR(enclosed_volume(result.mesh), 2.0, 1e-14);
     ASSERT_EQ(result.report.findings.size(), 1U);
     EXPECT_NE(result.report.findings[0].what.find("face each other"), std::string::npos);
@@ -83,7 +69,7 @@ TEST(Parts, WithoutUnionOneLineNamesIt) {
     for (const TriangleMesh& second :
          {cube({0.9, 0, 0}), other_cube({1, 0, 0}), cube({1, 0.25, 0.25}, 0.5)})
         for (const TriangleMesh& parts : {sample::together(cube({0, 0, 0}), second)})
-            for (const TriangleSoup& soup : {indexed(parts), apart(parts)}) {
+            for (const TriangleSoup& soup : {soup_of(parts), apart(parts)}) {
                 const std::string line = refusal(soup);
                 EXPECT_NE(line.find("closed parts cross or share a face"), std::string::npos)
                     << line;
@@ -96,7 +82,7 @@ TEST(Parts, APartThatAnotherHoldsCountsOnce) {
     const TriangleMesh nested = sample::together(sample::sphere(2.0, 2), sample::sphere(1.0, 2));
     expect_united(nested, enclosed_volume(sample::sphere(2.0, 2)));
     expect_united(sample::inside_out(nested), enclosed_volume(sample::sphere(2.0, 2)));
-    EXPECT_NE(refusal(indexed(nested)).find("--union"), std::string::npos);
+    EXPECT_NE(refusal(soup_of(nested)).find("--union"), std::string::npos);
 }
 
 TEST(Parts, HollowsStayUnlessAPartFillsThem) {
@@ -110,22 +96,22 @@ TEST(Parts, HollowsStayUnlessAPartFillsThem) {
 
 TEST(Parts, ThatKeepApartStayTwoBodies) {
     const TriangleMesh two = sample::together(cube({0, 0, 0}), cube({2, 0, 0}));
-    EXPECT_NE(refusal(indexed(two), {.unite = true}).find("separate bodies beside the largest: 1"),
+    EXPECT_NE(refusal(soup_of(two), {.unite = true}).find("separate bodies beside the largest: 1"),
               std::string::npos);
     const TriangleMesh three = sample::together(two, cube({2.5, 0, 0}));
-    const RepairedMesh largest = repair(indexed(three), {.keep_largest = true, .unite = true});
+    const RepairedMesh largest = repair(soup_of(three), {.keep_largest = true, .unite = true});
     EXPECT_NEAR(enclosed_volume(largest.mesh), 1.5, 1e-14);
 }
 
 TEST(Parts, ThatMeetInAnEdgeAloneStayTwoBodies) {
     const TriangleMesh cubes = sample::together(cube({0, 0, 0}), cube({1, 1, 0}));
-    for (const TriangleSoup& soup : {indexed(cubes), apart(cubes)}) {
+    for (const TriangleSoup& soup : {soup_of(cubes), apart(cubes)}) {
         EXPECT_NE(refusal(soup).find("separate bodies"), std::string::npos);
         EXPECT_NE(refusal(soup, {.unite = true}).find("separate bodies"), std::string::npos);
     }
     // Half an edge: no solid whose surface is one.
     const TriangleMesh shifted = sample::together(cube({0, 0, 0}), cube({1, 1, 0.5}));
-    EXPECT_NE(refusal(indexed(shifted), {.unite = true}), "");
+    EXPECT_NE(refusal(soup_of(shifted), {.unite = true}), "");
 }
 
 TEST(Parts, ManyThatCrossAtRandomHaveTheVolumeOfSamples) {
@@ -138,7 +124,7 @@ TEST(Parts, ManyThatCrossAtRandomHaveTheVolumeOfSamples) {
         cubes.emplace_back(lower, random.uniform(0.5, 0.9));
         parts = sample::together(parts, cube(lower, cubes.back().second));
     }
-    const RepairedMesh result = united(indexed(parts));
+    const RepairedMesh result = united(soup_of(parts));
     EXPECT_TRUE(is_closed_and_oriented(result.mesh));
     // The exact volume of a union of boxes: cells between all their planes.
     std::array<std::vector<double>, 3> planes;

@@ -6,6 +6,7 @@
 #include "tests/common/shapes/sample_meshes.hpp"
 #include "tests/formats/temporary_folder.hpp"
 #include "tests/shapegen/repair/closed_surface.hpp"
+#include "tests/shapegen/repair/soup_of_mesh.hpp"
 
 #include <utility>
 
@@ -13,21 +14,6 @@
 
 namespace dem {
 namespace {
-
-TriangleSoup soup_of(const TriangleMesh& mesh) {
-    return {mesh.vertices, mesh.triangles};
-}
-
-/// As STL holds a mesh: each triangle with corners of its own.
-TriangleSoup apart(const TriangleMesh& mesh) {
-    TriangleSoup soup;
-    for (const auto& triangle : mesh.triangles) {
-        const auto n = static_cast<std::uint32_t>(soup.points.size());
-        for (const std::uint32_t v : triangle) soup.points.push_back(mesh.vertices[v]);
-        soup.triangles.push_back({n, n + 1, n + 2});
-    }
-    return soup;
-}
 
 const Finding* find(const RepairReport& report, const std::string& what) {
     for (const Finding& finding : report.findings)
