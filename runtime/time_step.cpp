@@ -3,6 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/math/elementary.hpp"
+#include "runtime/contact_law/pair_law.hpp"
 #include "runtime/domain.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ double equivalent_radius(const Scene& scene, const BodyKind& kind) {
 }
 
 double rayleigh_time(const Material& material, double radius) {
-    const double shear = material.youngs_modulus / (2.0 * (1.0 + material.poissons_ratio));
+    const double shear = shear_modulus({material.youngs_modulus, material.poissons_ratio});
     const double K = 0.8766 + 0.1631 * material.poissons_ratio;
     return pi * radius / K * std::sqrt(material.density / shear);
 }
