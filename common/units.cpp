@@ -3,10 +3,10 @@
 
 #include "common/error.hpp"
 #include "common/math/types.hpp"
+#include "common/number.hpp"
+#include "common/text.hpp"
 
-#include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <vector>
 
@@ -118,43 +118,6 @@ std::string expectation(Dimension dimension) {
     return names.empty() ? text : text + ")";
 }
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\n\f\v";
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-bool equal_but_for_case(char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) ==
-           std::tolower(static_cast<unsigned char>(b));
-}
-
-/// Twice the Damerau-Levenshtein distance (insert, delete, replace, swap of neighbours), a change
-/// of case costing half.
-std::size_t doubled_edit_distance(std::string_view a, std::string_view b) {
-    const std::size_t width = b.size() + 1;
-    std::vector<std::size_t> before(width);
-    std::vector<std::size_t> above(width);
-    std::vector<std::size_t> row(width);
-    for (std::size_t j = 0; j < width; ++j) above[j] = 2 * j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        row[0] = 2 * i;
-        for (std::size_t j = 1; j < width; ++j) {
-            const char x = a[i - 1];
-            const char y = b[j - 1];
-            const std::size_t replace = x == y ? 0 : equal_but_for_case(x, y) ? 1 : 2;
-            row[j] = std::min({above[j] + 2, row[j - 1] + 2, above[j - 1] + replace});
-            if (i > 1 && j > 1 && x == b[j - 2] && a[i - 2] == y) {
-                row[j] = std::min(row[j], before[j - 2] + 2);
-            }
-        }
-        std::swap(before, above);
-        std::swap(above, row);
-    }
-    return above.back();
-}
-
 }  // namespace
 
 double unit_factor(std::string_view unit, Dimension dimension) {
@@ -165,34 +128,27 @@ double unit_factor(std::string_view unit, Dimension dimension) {
         if (u.dimension == dimension) return u.factor;
         if (other == nullptr) other = &u;
     }
-    const std::string quoted = "'" + std::string(unit) + "'";
     if (other != nullptr) {
-        throw Error("unit " + quoted + " is of " + with_article(dimension_name(other->dimension)) +
-                    ", expected " + with_article(expectation(dimension)));
+        throw Error("unit " + in_quotes(unit) + " is of " +
+                    with_article(dimension_name(other->dimension)) + ", expected " +
+                    with_article(expectation(dimension)));
     }
-    const std::string guess = nearest_word(unit, units_of(dimension));
-    throw Error("unknown unit " + quoted +
-                (guess.empty() ? "" : ", did you mean '" + guess + "'?") + ", expected " +
-                with_article(expectation(dimension)));
+    throw Error("unknown unit " + in_quotes(unit) + suggestion(unit, units_of(dimension)) +
+                ", expected " + with_article(expectation(dimension)));
 }
 
 double parse_quantity(std::string_view text, Dimension dimension) {
     const std::string_view whole = trimmed(text);
-    std::string_view rest = whole;
-    // from_chars knows no plus sign, and would take "+-1" if it were simply skipped.
-    if (rest.size() > 1 && rest[0] == '+' && rest[1] != '-') rest.remove_prefix(1);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
-    const std::string found = "'" + std::string(whole) + "'";
-    if (error == std::errc::result_out_of_range) {
-        throw Error(found + " is outside the range of double precision");
-    }
-    if (error != std::errc()) {
+    const NumberAhead number = number_ahead(whole);
+    const std::string found = in_quotes(whole);
+    const std::string beyond = " found, expected a number within the range of double precision";
+    if (number.error == std::errc::result_out_of_range) throw Error(found + beyond);
+    if (number.error != std::errc()) {
         throw Error((whole.empty() ? std::string("nothing") : found) + " found, expected " +
                     with_article(expectation(dimension)));
     }
-    const std::string_view unit = trimmed(rest.substr(static_cast<std::size_t>(end - rest.data())));
-    if (!std::isfinite(value)) throw Error(found + " found, expected a finite number");
+    const std::string_view unit = trimmed(number.rest);
+    if (!number.is_finite()) throw Error(found + " found, expected a finite number");
     if (!unit.empty() &&
         (std::isdigit(static_cast<unsigned char>(unit[0])) != 0 ||
          unit.find_first_of(" \t,;") != std::string_view::npos) &&
@@ -205,8 +161,8 @@ double parse_quantity(std::string_view text, Dimension dimension) {
     } catch (const Error& e) {
         throw Error(found, e.what());
     }
-    const double si = value * factor;
-    if (!std::isfinite(si)) throw Error(found + " is outside the range of double precision");
+    const double si = number.value * factor;
+    if (!std::isfinite(si)) throw Error(found + beyond);
     return si;
 }
 
@@ -214,23 +170,6 @@ LengthUnit length_unit(double size) {
     if (size < 1e-4) return {"um", 1e-6};
     if (size < 0.5) return {"mm", 1e-3};
     return {"m", 1.0};
-}
-
-std::string nearest_word(std::string_view word, std::span<const std::string> candidates) {
-    // A third of the letters may be wrong: "restitutoin" is helped, "foo" is not told "mu".
-    const std::size_t longest = 2 * std::max<std::size_t>(1, (word.size() + 1) / 3);
-    std::size_t best = longest + 1;
-    std::string nearest;
-    for (const std::string& candidate : candidates) {
-        const std::size_t distance = doubled_edit_distance(word, candidate);
-        // Everything replaced is no resemblance ("x" for "m").
-        if (distance >= 2 * std::min(word.size(), candidate.size()) && distance > 1) continue;
-        if (distance < best) {
-            best = distance;
-            nearest = candidate;
-        }
-    }
-    return nearest;
 }
 
 }  // namespace dem

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <span>
-#include <string>
 #include <string_view>
 
 /// Units at the edge of the programs; inside everything is SI.
@@ -38,9 +36,5 @@ struct LengthUnit {
 
 /// um, mm or m, by the size of the body that is described [m].
 LengthUnit length_unit(double size);
-
-/// The candidate nearest to `word` by edit distance (upper and lower case count as half an edit),
-/// the first of equals, or "" when none is near enough to suggest.
-std::string nearest_word(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace dem

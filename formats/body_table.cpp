@@ -3,7 +3,8 @@
 
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
-#include "common/units.hpp"
+#include "common/number.hpp"
+#include "common/text.hpp"
 #include "formats/csv_rows.hpp"
 #include "formats/memory_map.hpp"
 #include "formats/number_text.hpp"
@@ -49,44 +50,42 @@ std::vector<Column> parse_header(const std::vector<std::string>& fields, const s
     for (const std::string& field : fields) {
         const auto found = std::find(names.begin(), names.end(), field);
         if (found == names.end()) {
-            const std::string guess = nearest_word(field, names);
-            throw Error(place, "unknown column '" + field + "'" +
-                                   (guess.empty() ? "" : ", did you mean '" + guess + "'?") +
-                                   ", expected a header row of id, template, group, x, y, z, qw, "
-                                   "qx, qy, qz, vx, vy, vz, wx, wy, wz");
+            throw Error(place, "unknown column " + in_quotes(field) + suggestion(field, names) +
+                                   ", expected a header row of " + joined(names));
         }
         const auto column = static_cast<Column>(found - names.begin());
         if (std::find(columns.begin(), columns.end(), column) != columns.end()) {
-            throw Error(place, "column '" + field + "' is given twice");
+            throw Error(place, "column " + in_quotes(field) + " is given twice, expected it once");
         }
         columns.push_back(column);
     }
     const auto parts =
         std::count_if(columns.begin(), columns.end(), [](Column c) { return c >= qw && c <= qz; });
     if (parts != 0 && parts != 4) {
-        throw Error(place, "an orientation needs all of qw, qx, qy and qz, found " +
-                               std::to_string(parts) + " of them");
+        throw Error(place, std::to_string(parts) +
+                               " of qw, qx, qy and qz found, expected all or none of them");
     }
     return columns;
 }
 
-template <class Number>
-Number parse_number(const std::string& field, const std::string& expected) {
-    Number value{};
-    // from_chars knows no plus sign, and would take "+-1" if it were simply skipped.
-    const bool has_plus = field.starts_with('+') && !field.starts_with("+-");
+std::uint64_t whole_number(const std::string& field) {
+    std::uint64_t value = 0;
     const char* end = field.data() + field.size();
-    const auto result = std::from_chars(field.data() + (has_plus ? 1 : 0), end, value);
-    bool is_good = result.ec == std::errc() && result.ptr == end;
-    if constexpr (std::is_floating_point_v<Number>) is_good = is_good && std::isfinite(value);
-    if (!is_good) throw Error("'" + field + "' found, expected " + expected);
-    return value;
+    const auto result = std::from_chars(field.data(), end, value);
+    if (result.ec == std::errc() && result.ptr == end) return value;
+    throw Error(in_quotes(field) + " found, expected a whole number");
+}
+
+double number(const std::string& field) {
+    const auto value = finite_number(field);
+    if (!value) throw Error(in_quotes(field) + " found, expected a finite number");
+    return *value;
 }
 
 void assign(BodyRow& body, Column column, const std::string& field) {
     switch (column) {
         case id:
-            body.id = parse_number<std::uint64_t>(field, "a whole number");
+            body.id = whole_number(field);
             return;
         case template_name:
             body.template_name = field;
@@ -97,7 +96,7 @@ void assign(BodyRow& body, Column column, const std::string& field) {
         default:
             break;
     }
-    const auto value = parse_number<double>(field, "a finite number");
+    const auto value = number(field);
     switch (column) {
         case qw:
             body.orientation.w() = value;
@@ -162,7 +161,7 @@ std::vector<BodyRow> parse_body_table(std::string_view text, const std::string& 
         bodies.push_back(parse_row(fields, columns, rows.place()));
         bodies.back().line = rows.line();
     }
-    if (bodies.empty()) throw Error(where, "holds no bodies, only a header row");
+    if (bodies.empty()) throw Error(where, "holds only a header row, expected bodies below it");
     return bodies;
 }
 

@@ -3,7 +3,7 @@
 
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
-#include "common/units.hpp"
+#include "common/text.hpp"
 #include "formats/number_text.hpp"
 
 #include <algorithm>
@@ -14,7 +14,8 @@ namespace {
 
 const Clump& clump_of(const ParticleTemplate& shape) {
     if (const auto* clump = std::get_if<Clump>(&shape.shape)) return *clump;
-    throw Error(shape.name, "found a shape of kind '" + kind_name(shape) + "', expected a clump");
+    throw Error(shape.name,
+                "found a shape of kind " + in_quotes(kind_name(shape)) + ", expected a clump");
 }
 
 std::string join(std::initializer_list<double> values, const char* separator) {
@@ -172,11 +173,10 @@ void write_clump_file(const std::filesystem::path& path, const ParticleTemplate&
     } else if (format == "mercurydpm") {
         write_mercurydpm(path, body);
     } else {
-        const std::string nearest = nearest_word(format, clump_formats());
         throw UsageError("--format",
-                         "found '" + format +
-                             "', expected liggghts, lammps, yade, mercurydpm or dem-engine" +
-                             (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+                         "found " + in_quotes(format) +
+                             ", expected liggghts, lammps, yade, mercurydpm or dem-engine" +
+                             suggestion(format, clump_formats()));
     }
 }
 

@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 #include "common/shapes/make_oblong.hpp"
 #include "common/state_hash.hpp"
+#include "common/text.hpp"
 #include "formats/shape_parameters.hpp"
 #include "formats/text_file.hpp"
 
@@ -224,7 +225,7 @@ ConvexFile convex(std::string_view bytes, const ProfileText& text, const NamedCo
     if (!text.statements.empty() && shape.name != "polyhedron")
         throw Error(text.place(text.statements.front().line),
                     in_quotes(text.statements.front().text) +
-                        " found, expected only parameters of shape '" + shape.name + "'");
+                        " found, expected only parameters of shape " + in_quotes(shape.name));
     ConvexFile file;
     std::optional<std::string> place;
     if (const auto setting = text.settings.find("rounding"); setting != text.settings.end())
@@ -256,7 +257,8 @@ ConvexFile parse_convex(std::string_view bytes, const std::string& path,
 
 ConvexFile read_convex(const std::string& path, const std::optional<Rounding>& rounding,
                        double scale) {
-    return parse_convex(read_text_file(path, "convex shape"), path, rounding, scale);
+    return parse_convex(read_text_file(path, "convex shape", most_profile_megabytes), path,
+                        rounding, scale);
 }
 
 ConvexFile parse_convex_profile(std::string_view bytes, const std::string& path,
@@ -277,7 +279,8 @@ ConvexFile parse_convex_profile(std::string_view bytes, const std::string& path,
 
 ConvexFile read_convex_profile(const std::string& path, const std::optional<Rounding>& rounding,
                                double scale) {
-    return parse_convex_profile(read_text_file(path, "profile"), path, rounding, scale);
+    return parse_convex_profile(read_text_file(path, "profile", most_profile_megabytes), path,
+                                rounding, scale);
 }
 
 }  // namespace dem

@@ -5,6 +5,7 @@
 #include "common/math/elementary.hpp"
 #include "common/shapes/arcs.hpp"
 #include "common/shapes/profile_curves.hpp"
+#include "common/text.hpp"
 #include "formats/shape_parameters.hpp"
 
 #include <algorithm>
@@ -152,7 +153,7 @@ ProfileDraft named_shape(const ProfileText& text) {
     if (!text.statements.empty())
         throw Error(text.place(text.statements.front().line),
                     in_quotes(text.statements.front().text) +
-                        " found, expected only parameters of shape '" + shape.name + "'");
+                        " found, expected only parameters of shape " + in_quotes(shape.name));
     ProfileDraft draft;
     const std::string label = text.place(text.settings.find("shape")->second.line);
     for (const ProfileSegment& segment : shape.make(ShapeParameters(text)))

@@ -3,6 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/state_hash.hpp"
+#include "common/text.hpp"
 #include "formats/named_shapes.hpp"
 #include "formats/profile_path.hpp"
 #include "formats/profile_text.hpp"
@@ -62,11 +63,12 @@ ProfileDraft parse_table(const ProfileText& text, std::size_t first_row) {
 }
 
 ProfileDraft parse_statements(const ProfileText& text) {
+    const std::vector<std::string> settings = {"units", "shape"};
     for (const auto& [name, setting] : text.settings)
         if (name != "units")
             throw Error(text.place(setting.line), "unknown setting " + in_quotes(name) +
                                                       ", expected 'units' or 'shape'" +
-                                                      suggestion(name, {"units", "shape"}));
+                                                      suggestion(name, settings));
     if (text.statements.empty())
         throw Error(text.path, "no profile found, expected 'shape = ...', a path or a table");
     const std::string_view first = first_word(text.statements.front().text);
@@ -119,7 +121,7 @@ ProfileFile parse_profile(std::string_view text, const std::string& path, double
 }
 
 ProfileFile read_profile(const std::string& path, double scale) {
-    return parse_profile(read_text_file(path, "profile"), path, scale);
+    return parse_profile(read_text_file(path, "profile", most_profile_megabytes), path, scale);
 }
 
 }  // namespace dem

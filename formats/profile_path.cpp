@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 #include "common/shapes/arcs.hpp"
 #include "common/shapes/profile_curves.hpp"
+#include "common/text.hpp"
 #include "common/units.hpp"
 
 #include <algorithm>
@@ -70,10 +71,9 @@ class CommandWords {
     void expect_end(const std::vector<std::string>& expected) {
         if (is_empty()) return;
         const std::string_view found = word();
-        std::string list;
-        for (const std::string& option : expected) list += (list.empty() ? "" : ", ") + option;
         fail("continues with " + in_quotes(found) + ", expected " +
-             (list.empty() ? "its end" : list + " or its end") + suggestion(found, expected));
+             (expected.empty() ? "its end" : joined(expected) + " or its end") +
+             suggestion(found, expected));
     }
 
     [[noreturn]] void fail(const std::string& message) const {

@@ -2,11 +2,11 @@
 #include "formats/profile_text.hpp"
 
 #include "common/error.hpp"
+#include "common/number.hpp"
+#include "common/text.hpp"
 #include "common/units.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 
 namespace dem {
@@ -14,12 +14,6 @@ namespace {
 
 bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\r';
-}
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-    return text;
 }
 
 void check_bytes(std::string_view line, const std::string& place) {
@@ -47,14 +41,7 @@ void add_setting(std::string_view line, std::size_t number, ProfileText& result)
 }  // namespace
 
 double ProfileText::length(std::string_view text, std::size_t line) const {
-    std::string_view digits = text;
-    if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error == std::errc() && end == digits.data() + digits.size()) {
-        if (std::isfinite(value)) return value * unit * scale;
-        throw Error(place(line), in_quotes(text) + " found, expected a finite length");
-    }
+    if (const auto value = finite_number(text)) return *value * unit * scale;
     try {
         return parse_quantity(text, Dimension::length) * scale;
     } catch (const Error& problem) {
@@ -104,17 +91,6 @@ std::vector<std::string_view> columns(std::string_view row) {
         result.push_back(row.substr(0, end));
         row.remove_prefix(end);
     }
-}
-
-std::string in_quotes(std::string_view word) {
-    constexpr std::size_t longest = 60;
-    if (word.size() <= longest) return "'" + std::string(word) + "'";
-    return "'" + std::string(word.substr(0, longest)) + "...'";
-}
-
-std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
-    const std::string near = nearest_word(word, candidates);
-    return near.empty() ? "" : ", did you mean '" + near + "'?";
 }
 
 }  // namespace dem

@@ -42,6 +42,8 @@ ProfileText parse_profile_text(std::string_view text, const std::string& path, d
 /// More points than any drawing or measured outline has; a longer table is a mistake that would
 /// only cost time and memory.
 inline constexpr std::size_t most_profile_lines = 100'000;
+/// What so many lines of numbers with 17 digits, units and comments take [MB].
+inline constexpr std::size_t most_profile_megabytes = 64;
 
 /// Segments of a profile as written, each with its place in the file.
 struct ProfileDraft {
@@ -56,11 +58,5 @@ struct ProfileDraft {
 
 /// The columns of a row, separated by blanks, a comma or a semicolon.
 std::vector<std::string_view> columns(std::string_view row);
-
-/// The word in quotes, cut when it is long.
-std::string in_quotes(std::string_view word);
-
-/// ", did you mean 'arc'?" or "" when no candidate is near.
-std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace dem

@@ -2,24 +2,14 @@
 #include "formats/rounding.hpp"
 
 #include "common/error.hpp"
+#include "common/number.hpp"
 #include "common/shapes/mass_properties.hpp"
+#include "common/text.hpp"
 #include "common/units.hpp"
-#include "formats/profile_text.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 namespace dem {
-
-namespace {
-
-bool parse_number(std::string_view text, double& value) {
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return problem == std::errc() && end == text.data() + text.size() && std::isfinite(value);
-}
-
-}  // namespace
 
 double Rounding::radius(double sharp_volume) const {
     return is_share ? value * equivalent_diameter(sharp_volume) : value;
@@ -27,17 +17,15 @@ double Rounding::radius(double sharp_volume) const {
 
 Rounding parse_rounding(std::string_view text, double unit) {
     Rounding rounding;
+    const auto number = finite_number(text);
     if (text.ends_with('%')) {
-        if (parse_number(text.substr(0, text.size() - 1), rounding.value))
-            rounding.value /= 100.0;
-        else
-            rounding.value = -1.0;
-    } else if (parse_number(text, rounding.value)) {
+        rounding.value = finite_number(text.substr(0, text.size() - 1)).value_or(-1.0) / 100.0;
+    } else if (number) {
         if (unit == 0.0)
             throw Error(in_quotes(text) +
                         " found, expected a length with its unit (0.1 mm) or a percentage of the "
                         "equivalent diameter (1%)");
-        rounding = {rounding.value * unit, false};
+        rounding = {*number * unit, false};
     } else {
         rounding = {parse_quantity(text, Dimension::length), false};
     }

@@ -2,19 +2,12 @@
 #include "formats/shape_parameters.hpp"
 
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "common/units.hpp"
 
 #include <algorithm>
 
 namespace dem {
-
-namespace {
-std::string joined(const std::vector<std::string>& words) {
-    std::string list;
-    for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-    return list;
-}
-}  // namespace
 
 double ShapeParameters::length(std::string_view name) const {
     const auto& [value, line] = setting(name, "a length");
@@ -47,8 +40,8 @@ double ShapeParameters::number(std::string_view name) const {
 
 void ShapeParameters::fail(std::string_view name, const std::string& expected) const {
     const auto& [value, line] = text_.settings.find(name)->second;
-    throw Error(text_.place(line), "'" + std::string(name) + " = " + std::string(value) +
-                                       "' found, expected " + expected);
+    throw Error(text_.place(line),
+                std::string(name) + " = " + in_quotes(value) + " found, expected " + expected);
 }
 
 const ProfileText::Setting& ShapeParameters::setting(std::string_view name,
@@ -56,8 +49,8 @@ const ProfileText::Setting& ShapeParameters::setting(std::string_view name,
     const auto found = text_.settings.find(name);
     if (found != text_.settings.end()) return found->second;
     const auto& shape = text_.settings.find("shape")->second;
-    throw Error(text_.place(shape.line), "'" + std::string(name) + "' is missing, expected " +
-                                             expected + " for shape " + in_quotes(shape.value));
+    throw Error(text_.place(shape.line), in_quotes(name) + " is missing, expected " + expected +
+                                             " for shape " + in_quotes(shape.value));
 }
 
 void check_parameters(const ProfileText& text, const std::vector<std::string>& known) {

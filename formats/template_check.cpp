@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/template_check.hpp"
 
+#include "common/text.hpp"
 #include "formats/value_check.hpp"
 
 #include <algorithm>
@@ -78,10 +79,7 @@ struct CheckKind {
 }  // namespace
 
 std::string shape_place(const std::string& where, std::size_t index, const std::string& name) {
-    std::string place = where + ": shape " + std::to_string(index) + " '" + name + "'";
-    std::replace_if(
-        place.begin(), place.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
-    return place;
+    return where + ": shape " + std::to_string(index) + " " + in_quotes(name);
 }
 
 void check_template(const ParticleTemplate& shape, const std::string& where) {

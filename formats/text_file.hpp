@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace dem {
 
-/// The bytes of a text file. Throws Error(path, ...) for a missing file, a folder, one that cannot
-/// be read and more than 64 MB; `kind` names what was expected ("profile").
-std::string read_text_file(const std::string& path, const std::string& kind);
+/// The bytes of a text file, which may come through a pipe. Throws Error(path, ...) for a missing
+/// file, a folder, one that cannot be read and more than `most_mb` MB, be they of a device that
+/// never ends. `kind` names what was expected ("profile").
+std::string read_text_file(const std::string& path, const std::string& kind, std::size_t most_mb);
 
 }  // namespace dem

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/error.hpp"
 #include "common/signals.hpp"
+#include "common/text.hpp"
 #include "common/threads/thread_team.hpp"
 #include "runtime/case/key.hpp"
 #include "runtime/case/read_scene.hpp"
@@ -50,6 +51,22 @@ po::options_description options() {
     return visible;
 }
 
+/// "run.end_time=3" and "s" where `--set run.end_time=3 s` was written without quotes.
+std::optional<std::string> unquoted_override(const std::vector<std::string>& words) {
+    for (std::size_t k = 1; k + 1 < words.size(); ++k) {
+        const bool is_override =
+            words[k].starts_with("--set=") ||
+            (words[k - 1] == "--set" && words[k].find('=') != std::string::npos);
+        const std::string& next = words[k + 1];
+        if (!is_override || next.starts_with("--") || next.ends_with(".ini")) continue;
+        const std::string value = words[k].substr(words[k].starts_with("--set=") ? 6 : 0);
+        return dem::in_quotes(next) + " found after " + dem::in_quotes(value) +
+               ", expected quotes around a value with blanks: --set " +
+               dem::in_quotes(value + " " + next);
+    }
+    return std::nullopt;
+}
+
 po::variables_map parse(int argc, char** argv) {
     po::options_description all = options();
     all.add_options()("case", po::value<std::string>());
@@ -67,6 +84,8 @@ po::variables_map parse(int argc, char** argv) {
                       .run(),
                   values);
     } catch (const po::error& error) {
+        const auto unquoted = unquoted_override({argv, argv + argc});
+        if (unquoted) throw dem::UsageError("--set", *unquoted);
         throw dem::UsageError(std::string(error.what()) + ", expected what --help lists");
     }
     return values;
@@ -190,7 +209,7 @@ int obey(const po::variables_map& values) {
 }
 
 int fail(const std::string& message, int code) {
-    std::cerr << "demrun: error: " << message << "\n";
+    std::cerr << "demrun: error: " << dem::readable(message) << "\n";
     return code;
 }
 

@@ -3,6 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/state_hash.hpp"
+#include "common/text.hpp"
 #include "runtime/broad_phase/margins.hpp"
 #include "runtime/domain.hpp"
 #include "runtime/integrator/integrator.hpp"
@@ -129,7 +130,7 @@ void Simulation::check_overlap() const {
     const auto [i, j] = largest_overlap_.ids;
     const bool is_wall = largest_overlap_.is_wall;
     const std::string partner =
-        is_wall ? "wall '" + scene_.walls[j].name + "'" : "particle " + std::to_string(j);
+        is_wall ? "wall " + in_quotes(scene_.walls[j].name) : "particle " + std::to_string(j);
     const auto is_new = [&](std::uint32_t body) {
         const InsertionGroup& group = scene_.insertions[particles_.group[body]];
         return group.allow_overlaps && time() - group.start < 1.5 * dt_;

@@ -2,6 +2,8 @@
 #include "shapegen/clump_options.hpp"
 
 #include "common/error.hpp"
+#include "common/number.hpp"
+#include "common/text.hpp"
 #include "common/units.hpp"
 #include "shapegen/option_values.hpp"
 
@@ -29,7 +31,8 @@ ClumpGoal read_goal(const po::variables_map& values) {
             "an RMS deviation above 0% and below 100% of the equivalent diameter (0.5%)";
         const auto words = values["clump-error"].as<std::string>();
         if (!words.ends_with('%'))
-            throw UsageError("--clump-error", "found '" + words + "', expected " + expected);
+            throw UsageError("--clump-error",
+                             "found " + in_quotes(words) + ", expected " + expected);
         goal.rms_deviation = fraction_option(values, "clump-error", 0.0, 1.0, expected);
     }
     return goal;
@@ -44,9 +47,9 @@ void read_min_radius(const po::variables_map& values, ClumpRequest& request) {
                             "above 0 and below 50 % of the equivalent diameter, or a length");
         return;
     }
-    if (plain_number(words))
-        throw UsageError("--min-radius", "found '" + words +
-                                             "', expected a length with its unit (0.2 mm) or a "
+    if (finite_number(words))
+        throw UsageError("--min-radius", "found " + in_quotes(words) +
+                                             ", expected a length with its unit (0.2 mm) or a "
                                              "percentage of the equivalent diameter (2%)");
     try {
         request.min_radius = parse_quantity(words, Dimension::length);
@@ -54,14 +57,15 @@ void read_min_radius(const po::variables_map& values, ClumpRequest& request) {
         throw UsageError("--min-radius", error.what());
     }
     if (!(request.min_radius > 0.0))
-        throw UsageError("--min-radius", "found '" + words + "', expected a length above 0");
+        throw UsageError("--min-radius",
+                         "found " + in_quotes(words) + ", expected a length above 0");
 }
 
 Skeleton read_skeleton(const po::variables_map& values) {
     const auto words = values["skeleton"].as<std::string>();
     if (words == "surface") return Skeleton::surface;
     if (words == "curve") return Skeleton::curve;
-    throw UsageError("--skeleton", "found '" + words + "', expected surface or curve");
+    throw UsageError("--skeleton", "found " + in_quotes(words) + ", expected surface or curve");
 }
 
 /// Voxels per d_eq. Where the user gives none 60, and for a high coverage 100: there 60 take up to
@@ -150,8 +154,8 @@ std::optional<ClumpCommand> read_clump_options(const po::variables_map& values) 
         command.convergence = values["convergence"].as<std::string>();
         const std::string extension = command.convergence.extension().string();
         if (extension != ".csv" && extension != ".svg")
-            throw UsageError("--convergence",
-                             "found the extension '" + extension + "', expected .csv or .svg");
+            throw UsageError("--convergence", "found the extension " + in_quotes(extension) +
+                                                  ", expected .csv or .svg");
     }
     return command;
 }

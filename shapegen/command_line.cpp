@@ -2,6 +2,7 @@
 #include "shapegen/command_line.hpp"
 
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "common/units.hpp"
 #include "shapegen/clump_options.hpp"
 #include "shapegen/convex_options.hpp"
@@ -119,7 +120,7 @@ std::string help_text() {
         const std::string nearest = nearest_word(word, names);
         throw UsageError(
             "command line",
-            "unknown option '--" + word + "', " +
+            "unknown option " + in_quotes("--" + word) + ", " +
                 (nearest.empty() ? "see --help" : "did you mean '--" + nearest + "'?"));
     }
     throw UsageError("command line", std::string(error.what()) + ", see --help");
@@ -154,8 +155,8 @@ std::string one_input(const po::variables_map& values, const std::string& expect
         throw UsageError("command line", "found no input, expected " + expected + ", see --help");
     }
     if (found.size() > 1) {
-        throw UsageError("command line", "found a second input '" + found[1] +
-                                             "', expected one: " + expected + ", see --help");
+        throw UsageError("command line", "found a second input " + in_quotes(found[1]) +
+                                             ", expected one: " + expected + ", see --help");
     }
     return found.front();
 }
@@ -243,7 +244,7 @@ void check_extension(const std::filesystem::path& input) {
     const std::string extension = input.extension().string();
     throw Error(input.string(),
                 "found " +
-                    (extension.empty() ? "no extension" : "the extension '" + extension + "'") +
+                    (extension.empty() ? "no extension" : "the extension " + in_quotes(extension)) +
                     ", expected a mesh (" + mesh_extensions() +
                     "), a .profile or a .convex file; CAD programs write models as .stl");
 }
@@ -328,7 +329,8 @@ Command parse_export(const Words& words) {
         throw UsageError("--density", error.what());
     }
     if (!(command.density > 0.0))
-        throw UsageError("--density", "found '" + density + "', expected a density above 0");
+        throw UsageError("--density",
+                         "found " + in_quotes(density) + ", expected a density above 0");
     return command;
 }
 

@@ -2,6 +2,7 @@
 #include "shapegen/convex_options.hpp"
 
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "common/units.hpp"
 #include "formats/shape_parameters.hpp"
 #include "shapegen/import/mesh_file.hpp"
@@ -28,15 +29,17 @@ std::optional<Rounding> read_rounding(const po::variables_map& values) {
 double read_size(const std::string& words) {
     double size = 0.0;
     if (words.find_first_not_of("+-.0123456789eE") == std::string::npos)
-        throw UsageError("--size", "found '" + words + "', expected a length with its unit (5 mm)");
+        throw UsageError("--size",
+                         "found " + in_quotes(words) + ", expected a length with its unit (5 mm)");
     try {
         size = parse_quantity(words, Dimension::length);
     } catch (const Error& problem) {
         throw UsageError("--size", problem.what());
     }
-    if (!(size > 0.0)) throw UsageError("--size", "found '" + words + "', expected above 0");
+    if (!(size > 0.0))
+        throw UsageError("--size", "found " + in_quotes(words) + ", expected above 0");
     if (size < least_length || size > most_length)
-        throw UsageError("--size", "found '" + words + "', expected from 1e-12 to 1e6 m");
+        throw UsageError("--size", "found " + in_quotes(words) + ", expected from 1e-12 to 1e6 m");
     return size;
 }
 
@@ -99,7 +102,7 @@ GenerateCommand read_generate_options(const po::variables_map& values, const std
     GranularOptions& grains = command.grains;
     const bool is_sand = kind == "sand";
     if (!is_sand && kind != "woodchips")
-        throw UsageError("generate", "found '" + kind + "', expected sand or woodchips");
+        throw UsageError("generate", "found " + in_quotes(kind) + ", expected sand or woodchips");
     grains.kind = is_sand ? GranularOptions::Kind::sand : GranularOptions::Kind::woodchips;
     grains.size = is_sand ? 5e-3 : 6e-3;
     for (const char* option : {"count", "output"})
@@ -113,7 +116,8 @@ GenerateCommand read_generate_options(const po::variables_map& values, const std
         if (!is_sand)
             throw UsageError("--template", "found it with woodchips, expected it with sand");
         if (base != "sphere" && base != "ellipsoid")
-            throw UsageError("--template", "found '" + base + "', expected sphere or ellipsoid");
+            throw UsageError("--template",
+                             "found " + in_quotes(base) + ", expected sphere or ellipsoid");
         if (base == "ellipsoid") grains.base = GranularOptions::Base::ellipsoid;
     }
     if (values.count("size") != 0) grains.size = read_size(values["size"].as<std::string>());

@@ -2,6 +2,7 @@
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
 #include "common/signals.hpp"
+#include "common/text.hpp"
 #include "shapegen/command_line.hpp"
 #include "shapegen/run_command.hpp"
 
@@ -16,7 +17,7 @@
 namespace {
 
 int fail(const std::exception& error, int code) {
-    std::cerr << "shapegen: error: " << error.what() << '\n';
+    std::cerr << "shapegen: error: " << dem::readable(error.what()) << '\n';
     return code;
 }
 

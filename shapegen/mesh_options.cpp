@@ -2,6 +2,8 @@
 #include "shapegen/mesh_options.hpp"
 
 #include "common/error.hpp"
+#include "common/number.hpp"
+#include "common/text.hpp"
 #include "shapegen/option_values.hpp"
 
 namespace dem {
@@ -26,9 +28,9 @@ MeshLoadOptions read_mesh_options(const po::variables_map& values) {
         length_unit_option(values, "unit");
     }
     const auto scale = values["scale"].as<std::string>();
-    const auto number = plain_number(scale);
+    const auto number = finite_number(scale);
     if (!number || !(*number > 0.0))
-        throw UsageError("--scale", "found '" + scale + "', expected a number above 0");
+        throw UsageError("--scale", "found " + in_quotes(scale) + ", expected a number above 0");
     options.scale = *number;
     options.repair_limit =
         fraction_option(values, "repair-limit", -1e-300, 1.0, "0 or more and below 1 (0.01 or 1%)");

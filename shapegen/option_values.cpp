@@ -2,10 +2,9 @@
 #include "shapegen/option_values.hpp"
 
 #include "common/error.hpp"
+#include "common/number.hpp"
+#include "common/text.hpp"
 #include "common/units.hpp"
-
-#include <charconv>
-#include <cmath>
 
 namespace dem {
 
@@ -17,7 +16,7 @@ namespace {
 std::optional<double> fraction(std::string_view words) {
     const bool is_percentage = words.ends_with('%');
     if (is_percentage) words.remove_suffix(1);
-    const auto value = plain_number(words);
+    const auto value = finite_number(words);
     return value && is_percentage ? *value / 100.0 : value;
 }
 
@@ -31,19 +30,12 @@ bool is_given(const po::variables_map& values, const std::string& option) {
     return values.count(option) != 0 && !values[option].defaulted();
 }
 
-std::optional<double> plain_number(std::string_view words) {
-    double value = 0.0;
-    const auto [end, problem] = std::from_chars(words.data(), words.data() + words.size(), value);
-    if (problem != std::errc() || end != words.data() + words.size()) return std::nullopt;
-    return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
 double fraction_option(const po::variables_map& values, const std::string& option, double above,
                        double below, const std::string& expected) {
     const auto words = values[option].as<std::string>();
     const auto value = fraction(words);
     if (!value || !(*value > above && *value < below))
-        throw UsageError("--" + option, "found '" + words + "', expected " + expected);
+        throw UsageError("--" + option, "found " + in_quotes(words) + ", expected " + expected);
     return *value;
 }
 
@@ -67,8 +59,8 @@ double length_unit_option(const po::variables_map& values, const std::string& op
 std::filesystem::path template_output(const po::variables_map& values) {
     std::filesystem::path output = values["output"].as<std::string>();
     if (output.extension() != ".tpl")
-        throw UsageError("-o",
-                         "found '" + output.string() + "', expected a name that ends in .tpl");
+        throw UsageError(
+            "-o", "found " + in_quotes(output.string()) + ", expected a name that ends in .tpl");
     return output;
 }
 

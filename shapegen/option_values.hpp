@@ -17,9 +17,6 @@ boost::program_options::typed_value<std::string>* text(const char* name);
 /// True where the user gave the option, not its default.
 bool is_given(const boost::program_options::variables_map& values, const std::string& option);
 
-/// A finite number and nothing else.
-std::optional<double> plain_number(std::string_view words);
-
 /// The value of an option that is a fraction ("0.95" or "95%") in an open range. Throws UsageError
 /// where it is none; `expected` completes "expected ...".
 double fraction_option(const boost::program_options::variables_map& values,

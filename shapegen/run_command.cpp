@@ -5,6 +5,7 @@
 #include "common/error.hpp"
 #include "common/format.hpp"
 #include "common/progress.hpp"
+#include "common/text.hpp"
 #include "common/threads/thread_team.hpp"
 #include "common/units.hpp"
 #include "formats/clump_export.hpp"
@@ -104,12 +105,7 @@ Cooked cook_as(const ClumpCommand& wanted, const CookCommand& command) {
     ClumpRequest request = wanted.request;
     request.options.progress = part(progress, loading, 1.0);
     request.wants_convergence = !wanted.convergence.empty();
-    CookedClump clump;
-    try {
-        clump = cook_clump(solid, request);
-    } catch (const Error& error) {
-        throw Error(command.input.string(), error.what());
-    }
+    CookedClump clump = cook_clump(solid, request);
     if (request.wants_convergence)
         write_convergence(wanted.convergence, solid.name, clump.convergence);
     std::vector<std::string> lines = solid.lines;
@@ -120,6 +116,26 @@ Cooked cook_as(const ClumpCommand& wanted, const CookCommand& command) {
 Cooked cook_as(const ConvexRequest& request, const CookCommand& command) {
     CookedConvex cooked = cook_convex(command.input, request, command.mesh);
     return {std::move(cooked.shape), cooked.hash, std::move(cooked.lines)};
+}
+
+/// What is wrong with the input is said at its place, also by those who do not know its name.
+Cooked cook_input(const CookCommand& command) {
+    try {
+        return std::visit([&](const auto& recipe) { return cook_as(recipe, command); },
+                          command.recipe);
+    } catch (const UsageError&) {
+        throw;
+    } catch (const Error& error) {
+        const std::string words = error.what();
+        const auto begins_with = [&](const std::filesystem::path& place) {
+            return !place.empty() && words.starts_with(readable(place.string()));
+        };
+        const auto* clump = std::get_if<ClumpCommand>(&command.recipe);
+        const bool has_place = begins_with(command.input) || words.starts_with("--") ||
+                               (clump != nullptr && begins_with(clump->convergence));
+        if (has_place) throw;
+        throw Error(command.input.string(), words);
+    }
 }
 
 void run(const CookCommand& command, std::ostream& out) {
@@ -133,8 +149,7 @@ void run(const CookCommand& command, std::ostream& out) {
         keep_input(command.input, clump->convergence);
         check_writable(clump->convergence);
     }
-    Cooked cooked =
-        std::visit([&](const auto& recipe) { return cook_as(recipe, command); }, command.recipe);
+    Cooked cooked = cook_input(command);
     TemplateFile result;
     result.command = command.text;
     result.input_hash = cooked.input_hash;

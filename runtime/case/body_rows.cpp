@@ -2,6 +2,7 @@
 #include "runtime/case/body_rows.hpp"
 
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "runtime/domain.hpp"
 
 #include <algorithm>
@@ -23,8 +24,8 @@ std::vector<BodyRow> rows_of_group(std::vector<BodyRow> rows, const std::string&
     }
     std::erase_if(rows, [&group](const BodyRow& row) { return row.group != group; });
     if (rows.empty()) {
-        throw Error(where,
-                    "no row of group '" + group + "' in the table" + suggestion(group, known));
+        throw Error(where, "no row of group " + in_quotes(group) + " in the table" +
+                               suggestion_or_all(group, known));
     }
     return rows;
 }
@@ -36,7 +37,8 @@ std::vector<BodyRow> read_body_rows(const Values& values, const std::filesystem:
     group.file = (folder / values.text("file")).lexically_normal().string();
     group.allow_overlaps = values.word("overlaps") == "allow";
     if (!std::filesystem::exists(group.file)) {
-        throw Error(values.where("file"), "no such table: " + group.file);
+        throw Error(values.where("file"),
+                    "no such file " + in_quotes(group.file) + ", expected a table of bodies");
     }
     std::vector<BodyRow> rows = read_body_table(group.file);
     if (values.has("file_group")) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "runtime/case/scene_sections.hpp"
 #include "runtime/contact_law/pair_law.hpp"
 
@@ -12,7 +13,8 @@ namespace dem {
 namespace {
 
 std::string pair_text(const Scene& scene, std::uint32_t a, std::uint32_t b) {
-    return "materials '" + scene.materials[a].name + "' and '" + scene.materials[b].name + "'";
+    return "materials " + in_quotes(scene.materials[a].name) + " and " +
+           in_quotes(scene.materials[b].name);
 }
 
 /// [contact] with what [contact.A.B] says about the same keys put over it.
@@ -66,8 +68,9 @@ void check_method(const Scene& scene, const Values& values, const ContactLaw& la
     for (const BodyKind& kind : scene.kinds) {
         const ParticleTemplate& shape = scene.shapes[kind.shape];
         if ((kind.material != a && kind.material != b) || shape.is_convex) continue;
-        throw Error(values.where("contact"), "'continuous' needs convex shapes and '" + shape.name +
-                                                 "' is not convex, expected 'auto' or 'nodes'");
+        throw Error(values.where("contact"), "'continuous' needs convex shapes and " +
+                                                 in_quotes(shape.name) +
+                                                 " is not convex, expected 'auto' or 'nodes'");
     }
 }
 
@@ -89,7 +92,7 @@ void check_meaning(const CaseSection& section, const std::vector<ContactLaw>& la
         if (laws.empty() || std::any_of(laws.begin(), laws.end(), looks)) continue;
         const bool is_linear = laws.front().model == ContactLaw::Model::linear;
         throw Error(entry.where,
-                    "'" + entry.key + "' means nothing here, expected it with " +
+                    in_quotes(entry.key) + " means nothing here, expected it with " +
                         (entry.key == "stiffness_ratio" && !is_linear ? "tangential = ratio"
                          : is_linear                                  ? "model = hertz"
                                                                       : "model = linear"));
@@ -114,8 +117,9 @@ void check_field(const Scene& scene, const Values& values, const ContactLaw& law
         if (sr == nullptr) continue;
         const double largest_error = 0.5 * sr->sdf.surface_slack;  // which is twice what was found
         if (largest_error <= 0.1 * half_thickness(shape.mass_properties)) continue;
-        throw Error(values.where("contact"), "'nodes' needs the distance field of '" + shape.name +
-                                                 "', which is coarser than the body is thick, "
+        throw Error(values.where("contact"), "'nodes' needs the distance field of " +
+                                                 in_quotes(shape.name) +
+                                                 ", which is coarser than the body is thick, "
                                                  "expected 'continuous'");
     }
 }
@@ -163,7 +167,8 @@ PairSections pair_sections(const CaseFile& file, const Scene& scene) {
         const auto [first, is_new] = pairs.emplace(std::minmax(a, b), &section);
         if (!is_new) {
             throw Error(section.where, "second section for " + pair_text(scene, a, b) +
-                                           ", first at " + first->second->where);
+                                           ", expected one (first at " + first->second->where +
+                                           ")");
         }
     }
     return pairs;
@@ -178,7 +183,7 @@ std::uint32_t material_index(const Scene& scene, const std::string& name,
         if (scene.materials[m].name == name) return m;
         known.push_back(scene.materials[m].name);
     }
-    throw Error(where, "unknown material '" + name + "'" + suggestion(name, known));
+    throw Error(where, "unknown material " + in_quotes(name) + suggestion_or_all(name, known));
 }
 
 void read_laws(const CaseFile& file, Scene& scene) {

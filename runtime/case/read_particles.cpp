@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "runtime/case/body_rows.hpp"
 #include "runtime/case/scene_sections.hpp"
 
@@ -37,8 +38,8 @@ std::vector<std::size_t> taken_shapes(const Values& values, const std::vector<Bo
         const std::string wanted = values.text("shape");
         const auto found = library.find(wanted);
         if (!found)
-            throw Error(values.where("shape"), "no shape '" + wanted + "' in " +
-                                                   values.text("template") +
+            throw Error(values.where("shape"), "no shape " + in_quotes(wanted) + " in " +
+                                                   in_quotes(values.text("template")) +
                                                    library.suggestion_for(wanted));
         all = {*found};
     } else {
@@ -55,11 +56,12 @@ std::vector<std::size_t> taken_shapes(const Values& values, const std::vector<Bo
         if (!row.template_name.empty()) {
             const auto found = library.find(row.template_name);
             const std::string place = group.file + ":" + std::to_string(row.line);
-            const std::string words =
-                "template '" + row.template_name + "' is none of [particles." + group.name + "]";
+            const std::string words = "template " + in_quotes(row.template_name) +
+                                      " is none of [particles." + group.name + "]";
             if (!found) throw Error(place, words + library.suggestion_for(row.template_name));
             if (values.has("shape") && *found != all.front())
-                throw Error(place, words + ", expected '" + values.text("shape") + "', its shape");
+                throw Error(
+                    place, words + ", expected " + in_quotes(values.text("shape")) + ", its shape");
             shape = *found;
         }
         of_rows.push_back(shape);
@@ -121,8 +123,8 @@ void ParticleGroupReader::read(const Values& values, Scene& scene) {
     BodyKind kind;
     kind.material = material_index(scene, values.text("material"), values.where("material"));
     if (!(scene.materials[kind.material].density > 0.0)) {
-        throw Error(values.where("material"), "material '" + values.text("material") +
-                                                  "' has no density, particles need one");
+        throw Error(values.where("material"), "material " + in_quotes(values.text("material")) +
+                                                  " has no density, particles need one");
     }
     group.start = values.number("start");
     ShapeLibrary& shapes = library(values, scene);

@@ -2,6 +2,7 @@
 #include "runtime/case/read_scene.hpp"
 
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "runtime/case/case_lines.hpp"
 #include "runtime/case/region.hpp"
 #include "runtime/case/scene_sections.hpp"
@@ -32,9 +33,10 @@ void check_section_names(const CaseFile& file) {
                 forms += (forms.empty() ? "[" : " or [") + std::string(kind.pattern) + "]";
             }
         }
-        throw Error(section.where, "unknown section [" + section.name + "]" +
-                                       (forms.empty() ? suggestion(first_word(section.name), words)
-                                                      : ", expected " + forms));
+        throw Error(section.where,
+                    "unknown section [" + section.name + "]" +
+                        (forms.empty() ? suggestion_or_all(first_word(section.name), words)
+                                       : ", expected " + forms));
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // [run], [material.NAME], [output] and [measure.NAME]: sections that stand for themselves.
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "runtime/case/scene_sections.hpp"
 
 namespace dem {
@@ -18,9 +19,9 @@ RunSettings read_run(const Values& values) {
     run.overlap_limit = values.number("overlap_limit");
     run.skin = values.optional_number("skin");
     if (run.time_step && *run.time_step > run.end_time) {
-        throw Error(values.where("time_step"),
-                    "'" + values.text("time_step") +
-                        "' found, expected less than end_time = " + values.text("end_time"));
+        throw Error(values.where("time_step"), in_quotes(values.text("time_step")) +
+                                                   " found, expected less than end_time = " +
+                                                   in_quotes(values.text("end_time")));
     }
     if (values.has("domain")) {
         const Region region = values.region("domain");
@@ -80,9 +81,9 @@ MeasureSettings read_measure(const Values& values) {
         measure.bottom = values.number("bottom");
         measure.top = values.optional_number("top");
         if (measure.top && *measure.top <= measure.bottom)
-            throw Error(values.where("top"),
-                        "'" + values.text("top") +
-                            "' found, expected more than bottom = " + values.text("bottom"));
+            throw Error(values.where("top"), in_quotes(values.text("top")) +
+                                                 " found, expected more than bottom = " +
+                                                 in_quotes(values.text("bottom")));
     }
     return measure;
 }

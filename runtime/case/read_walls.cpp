@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "runtime/case/scene_sections.hpp"
 
 #include <array>
@@ -61,8 +62,8 @@ void read_box(const Values& values, const Wall& base, Scene& scene) {
     const Vec3 lower = values.vector("lower");
     const Vec3 upper = values.vector("upper");
     if (!(lower.array() < upper.array()).all()) {
-        throw Error(values.where("upper"), "found '" + values.text("upper") +
-                                               "', expected it above 'lower' in x, y and z");
+        throw Error(values.where("upper"), "found " + in_quotes(values.text("upper")) +
+                                               ", expected it above 'lower' in x, y and z");
     }
     struct Face {
         std::string_view name;
@@ -123,8 +124,8 @@ WallMotion read_motion(const Values& values, Shape shape) {
     motion.until = values.optional_number("until").value_or(motion.until);
     if (!(motion.until > motion.from)) {
         throw Error(values.where("until"),
-                    "'" + values.text("until") +
-                        "' found, expected later than from = " + values.text("from"));
+                    in_quotes(values.text("until")) +
+                        " found, expected later than from = " + in_quotes(values.text("from")));
     }
     return motion;
 }

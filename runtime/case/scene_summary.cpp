@@ -89,27 +89,31 @@ void describe(const Scene& scene, const InsertionGroup& group, std::ostringstrea
     out << "\n";
 }
 
-std::string origin(const TimeStep& step) {
+std::string origin(const TimeStep& step, const std::vector<Wall>& walls) {
     std::ostringstream speed;
     speed << step.largest_speed << " m/s";
     if (step.critical == step.linear) return "the limit of the linear law";
     if (step.critical == step.rayleigh) return "Rayleigh's";
     if (step.critical == step.hertz) return "Hertz's at " + speed.str();
-    return "of the motion: one radius at " + speed.str() + ", half a period of a wall";
+    const bool has_oscillation = std::any_of(walls.begin(), walls.end(), [](const Wall& wall) {
+        return wall.motion.kind == WallMotion::Kind::oscillate;
+    });
+    return "of the motion: one radius at " + speed.str() +
+           (has_oscillation ? ", half a period of a wall" : "");
 }
 
-void describe(const TimeStep& step, const RunSettings& run, std::ostringstream& out) {
+void describe(const TimeStep& step, const Scene& scene, std::ostringstream& out) {
     out << "time step: " << step.value << " s, ";
-    if (run.time_step) {
+    if (scene.run.time_step) {
         out << "given; ";
     } else {
-        out << "1/" << run.time_step_fraction << " of ";
+        out << "1/" << scene.run.time_step_fraction << " of ";
     }
     if (std::isinf(step.critical)) {
         out << "no body can move, and none is too long\n";
         return;
     }
-    out << "the critical time " << step.critical << " s (" << origin(step) << ")\n";
+    out << "the critical time " << step.critical << " s (" << origin(step, scene.walls) << ")\n";
 }
 
 void describe(const RunCost& cost, int threads, std::ostringstream& out) {
@@ -143,7 +147,7 @@ std::string check_scene(const Scene& scene, std::optional<double> resumed_at) {
         out << (w == 0 ? " (" : ", ") << scene.walls[w].name;
     }
     out << (scene.walls.empty() ? "\n" : ")\n");
-    describe(step, scene.run, out);
+    describe(step, scene, out);
     out << foreseen_overlap(scene, step.largest_speed) << "steps: ";
     const std::uint64_t steps = step_count(scene.run, step.value, scene.case_path);
     if (resumed_at) {

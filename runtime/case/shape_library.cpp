@@ -2,6 +2,7 @@
 #include "runtime/case/shape_library.hpp"
 
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "common/threads/thread_team.hpp"
 #include "runtime/case/sphere_template.hpp"
 #include "runtime/case/values.hpp"
@@ -42,7 +43,7 @@ std::optional<std::size_t> ShapeLibrary::find(const std::string& name) {
 std::string ShapeLibrary::suggestion_for(const std::string& name) const {
     std::vector<std::string> known;
     for (std::size_t k = 0; k < size(); ++k) known.push_back(this->name(k));
-    return suggestion(name, known);
+    return suggestion_or_all(name, known);
 }
 
 std::vector<std::uint32_t> ShapeLibrary::take(std::span<const std::size_t> indices, Scene& scene) {

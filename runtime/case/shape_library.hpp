@@ -29,7 +29,7 @@ class ShapeLibrary {
     /// Index of the first shape of this name.
     std::optional<std::size_t> find(const std::string& name);
 
-    /// ", did you mean ...?" for a name that was not found.
+    /// What a message about a name that was not found ends with: the nearest one, or all.
     std::string suggestion_for(const std::string& name) const;
 
     /// Places in Scene::shapes of the shapes with these indices, in their order; those that are new

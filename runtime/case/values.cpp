@@ -2,6 +2,8 @@
 #include "runtime/case/values.hpp"
 
 #include "common/error.hpp"
+#include "common/number.hpp"
+#include "common/text.hpp"
 #include "common/units.hpp"
 #include "runtime/domain.hpp"
 
@@ -12,10 +14,6 @@
 namespace dem {
 
 namespace {
-
-std::string quoted(std::string_view text) {
-    return "'" + std::string(text) + "'";
-}
 
 std::vector<std::string> strings(const std::vector<std::string_view>& views) {
     return {views.begin(), views.end()};
@@ -46,18 +44,6 @@ std::string other_section(std::string_view key) {
 
 }  // namespace
 
-std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
-    const std::string nearest = nearest_word(word, known);
-    if (!nearest.empty()) return ", did you mean '" + nearest + "'?";
-    if (known.empty()) return ", there is none";
-    constexpr std::size_t most = 40;
-    std::string text;
-    for (std::size_t k = 0; k < std::min(most, known.size()); ++k)
-        text += (k == 0 ? "" : ", ") + known[k];
-    if (known.size() > most) text += ", ... (" + std::to_string(known.size()) + " in all)";
-    return ", expected one of: " + text;
-}
-
 std::vector<double> parse_quantities(std::string_view text, Dimension dimension) {
     std::vector<double> values;
     std::size_t without_unit = 0;  // the last ones of `values`
@@ -79,19 +65,15 @@ std::vector<double> parse_quantities(std::string_view text, Dimension dimension)
             apply(word);
             continue;
         }
-        const std::size_t sign = word.front() == '+' ? 1 : 0;
-        double value = 0.0;
-        const auto [end, failure] =
-            std::from_chars(word.data() + sign, word.data() + word.size(), value);
-        const std::string_view unit = word.substr(static_cast<std::size_t>(end - word.data()));
+        const NumberAhead number = number_ahead(word);
         // Anything odd (NaN, too large, no number) gets the message of the single quantity.
-        if (failure != std::errc() || !(value - value == 0.0)) parse_quantity(word, dimension);
-        values.push_back(value);
+        if (!number.is_finite()) parse_quantity(word, dimension);
+        values.push_back(number.value);
         ++without_unit;
-        if (!unit.empty()) apply(unit);
+        if (!number.rest.empty()) apply(number.rest);
     }
     if (any_unit && without_unit > 0) {
-        throw Error(quoted(text) + " found, expected a unit after every number or after none");
+        throw Error(in_quotes(text) + " found, expected a unit after every number or after none");
     }
     return values;
 }
@@ -100,15 +82,15 @@ Region parse_region(std::string_view text) {
     const auto words = blank_separated(text);
     const std::string_view shape = words.front();
     if (shape != "box" && shape != "cylinder") {
-        throw Error(quoted(shape) +
+        throw Error(in_quotes(shape) +
                     " found, expected a region: 'box x y z  x y z' or 'cylinder x "
                     "y z  x y z  radius', with units");
     }
     const std::size_t expected = shape == "box" ? 6 : 7;
     const auto v = parse_quantities(text.substr(shape.size()), Dimension::length);
     if (v.size() != expected) {
-        throw Error(std::to_string(v.size()) + " numbers found after '" + std::string(shape) +
-                    "', expected " + std::to_string(expected));
+        throw Error(std::to_string(v.size()) + " numbers found after " + in_quotes(shape) +
+                    ", expected " + std::to_string(expected));
     }
     for (const double length : v) {
         if (std::abs(length) <= farthest_coordinate) continue;
@@ -131,10 +113,15 @@ Region parse_region(std::string_view text) {
 
 Values::Values(const CaseSection& section, const SectionKind& kind)
     : section_(section), kind_(kind) {
+    // A choice that is still to come brings keys of its own, which are not to blame.
+    for (const CaseEntry& entry : section_.entries) {
+        const Key* key = kind_.find(entry.key);
+        if (key != nullptr && contains(key->later, entry.value)) choice_index(entry.key);
+    }
     for (const CaseEntry& entry : section_.entries) check_key(entry);
     for (const Key& key : kind_.keys) {
         if (!key.required || has(key.name) || !applies(key)) continue;
-        throw Error(section_.where, "no '" + std::string(key.name) + "' in [" + section_.name +
+        throw Error(section_.where, "no " + in_quotes(key.name) + " in [" + section_.name +
                                         "], it is required" +
                                         (key.when.empty() ? "" : " for " + std::string(key.when)));
     }
@@ -147,15 +134,15 @@ void Values::check_key(const CaseEntry& entry) const {
         for (const Key& k : kind_.keys) known.emplace_back(k.name);
         const std::string elsewhere = other_section(entry.key);
         throw Error(entry.where,
-                    "unknown key '" + entry.key + "' in [" + section_.name + "]" +
-                        (elsewhere.empty() ? suggestion(entry.key, known) : elsewhere));
+                    "unknown key " + in_quotes(entry.key) + " in [" + section_.name + "]" +
+                        (elsewhere.empty() ? suggestion_or_all(entry.key, known) : elsewhere));
     }
     if (key->later == key->name) {
-        throw Error(entry.where, "'" + entry.key + "' is not in this version");
+        throw Error(entry.where, in_quotes(entry.key) + " is not in this version");
     }
     if (!applies(*key)) {
         const std::string_view control = split(key->when, '=')[0];
-        throw Error(entry.where, "key '" + entry.key + "' has no meaning for " +
+        throw Error(entry.where, "key " + in_quotes(entry.key) + " has no meaning for " +
                                      std::string(control) + " = " + std::string(word(control)) +
                                      ", it needs " + std::string(key->when));
     }
@@ -197,19 +184,20 @@ std::size_t Values::choice_index(std::string_view key) const {
     if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
     if (value.empty()) {
         throw Error(section_.where,
-                    "no '" + std::string(key) + "' in [" + section_.name + "], it is required");
+                    "no " + in_quotes(key) + " in [" + section_.name + "], it is required");
     }
     if (contains(k.later, value)) {
-        throw Error(where(key),
-                    quoted(value) + " is not in this version" + suggestion("", strings(words)));
+        throw Error(where(key), in_quotes(value) + " is not in this version" +
+                                    suggestion_or_all("", strings(words)));
     }
-    throw Error(where(key), "unknown choice " + quoted(value) + suggestion(value, strings(words)));
+    throw Error(where(key),
+                "unknown choice " + in_quotes(value) + suggestion_or_all(value, strings(words)));
 }
 
 void Values::check_range(const Key& key, double value) const {
     if (key.range.contains(value)) return;
     throw Error(where(key.name),
-                quoted(text(key.name)) + " found, expected " + range_text(key.range));
+                in_quotes(text(key.name)) + " found, expected " + range_text(key.range));
 }
 
 double Values::number(std::string_view key) const {
@@ -235,7 +223,7 @@ std::uint64_t Values::count(std::string_view key) const {
     std::uint64_t n = 0;
     const auto [end, failure] = std::from_chars(value.data(), value.data() + value.size(), n);
     if (failure != std::errc() || end != value.data() + value.size()) {
-        throw Error(where(key), quoted(value) + " found, expected a whole number " +
+        throw Error(where(key), in_quotes(value) + " found, expected a whole number " +
                                     range_text(key_of(key).range));
     }
     check_range(key_of(key), static_cast<double>(n));
@@ -245,7 +233,7 @@ std::uint64_t Values::count(std::string_view key) const {
 bool Values::yes_no(std::string_view key) const {
     const std::string value = text(key);
     if (value != "yes" && value != "no") {
-        throw Error(where(key), quoted(value) + " found, expected yes or no");
+        throw Error(where(key), in_quotes(value) + " found, expected yes or no");
     }
     return value == "yes";
 }
@@ -258,7 +246,7 @@ Vec3 Values::vector(std::string_view key) const {
         throw Error(where(key), error.what());
     }
     if (v.size() != 3) {
-        throw Error(where(key), quoted(text(key)) + " found, expected three numbers x y z");
+        throw Error(where(key), in_quotes(text(key)) + " found, expected three numbers x y z");
     }
     return {v[0], v[1], v[2]};
 }
@@ -282,7 +270,7 @@ std::optional<Quat> Values::optional_orientation(std::string_view key) const {
     const Quat q = v.size() == 4 ? Quat(v[0], v[1], v[2], v[3]) : Quat(0.0, 0.0, 0.0, 0.0);
     if (v.size() != 4 || !(q.norm() > 0.0)) {
         throw Error(where(key),
-                    quoted(value) + " found, expected 'random' or a quaternion w x y z");
+                    in_quotes(value) + " found, expected 'random' or a quaternion w x y z");
     }
     return q.normalized();
 }

@@ -70,7 +70,4 @@ class Values {
     const SectionKind& kind_;
 };
 
-/// `did you mean ...` or the list of what there is: the end of a message about an unknown word.
-std::string suggestion(std::string_view word, const std::vector<std::string>& known);
-
 }  // namespace dem

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/checkpoint/run_checkpoint.hpp"
 
+#include "common/text.hpp"
 #include "runtime/checkpoint/state_archive.hpp"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ std::vector<std::string> lines_of(const std::vector<char>& text) {
 }
 
 std::string quoted_or_nothing(const std::vector<std::string>& lines, std::size_t k) {
-    return k < lines.size() ? "'" + lines[k] + "'" : "nothing";
+    return k < lines.size() ? in_quotes(lines[k]) : "nothing";
 }
 
 void check_case(const std::string& where, const std::vector<std::string>& before,

@@ -3,6 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/math/types.hpp"
+#include "common/text.hpp"
 #include "formats/checkpoint.hpp"
 
 #include <cstring>
@@ -71,14 +72,15 @@ class StateReader {
     template <class T>
     void operator()(const std::string& name, T& value) {
         const PlainValues stored = take<T>(name);
-        if (stored.bytes.size() != sizeof(T)) fail("holds no single '" + name + "'");
+        if (stored.bytes.size() != sizeof(T)) fail("holds no single " + in_quotes(name));
         copy(stored, &value);
     }
 
     /// Everything must have been asked for: the rest is state that this program does not have.
     void finish() const {
         if (!checkpoint_.empty()) {
-            fail("holds '" + checkpoint_.begin()->first + "', which this program does not know");
+            fail("holds " + in_quotes(checkpoint_.begin()->first) +
+                 ", which this program does not know");
         }
     }
 
@@ -91,10 +93,10 @@ class StateReader {
     PlainValues take(const std::string& name) {
         static_assert(is_plain<T>);
         const auto entry = checkpoint_.extract(name);
-        if (entry.empty()) fail("holds no '" + name + "'");
+        if (entry.empty()) fail("holds no " + in_quotes(name));
         const PlainValues& stored = entry.mapped();
         if (stored.type != typeid(T).name() || stored.value_bytes != sizeof(T)) {
-            fail("holds '" + name + "' of another type");
+            fail("holds " + in_quotes(name) + " of another type");
         }
         return stored;
     }

@@ -2,6 +2,7 @@
 #include "runtime/insertion/inserter.hpp"
 
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "runtime/case/region.hpp"
 #include "runtime/insertion/body_draw.hpp"
 #include "runtime/insertion/fill.hpp"
@@ -86,8 +87,8 @@ Placements file_rows(const Scene& scene, std::uint32_t group_index, const Partic
     for (const BodyPlacement& body : group.placements) {
         const std::string row = group.file + ":" + std::to_string(body.line);
         if (const Wall* wall = occupancy.overlapped_wall(body)) {
-            throw Error(row, "the body overlaps wall '" + wall->name +
-                                 "', expected free places (or 'overlaps = allow')");
+            throw Error(row, "the body overlaps wall " + in_quotes(wall->name) +
+                                 ", expected free places (or 'overlaps = allow')");
         }
         if (const auto other = occupancy.overlapped_body(body)) {
             const std::uint32_t own_first = particles.size();

@@ -143,8 +143,9 @@ void rebuild(NeighborLists& lists, const Bodies& bodies, const BodyAabbs& aabbs,
     const std::vector<IdPair> wall_pairs = wall_candidates(bodies, margins, wall_margins);
     const std::size_t total = pairs.size() + wall_pairs.size();
     if (total >= most_pairs) {
-        throw Error("broad phase", std::to_string(total) + " candidate pairs, at most " +
-                                       std::to_string(most_pairs) + " expected");
+        throw Error(bodies.scene.case_path, std::to_string(total) +
+                                                " candidate pairs found, expected at most " +
+                                                std::to_string(most_pairs));
     }
 
     std::uint32_t first_result = 0;

@@ -2,6 +2,7 @@
 #include "shapegen/import/gltf_reader.hpp"
 
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "shapegen/import/child_process.hpp"
 
 #include <algorithm>
@@ -115,8 +116,8 @@ std::string packed_scene(const std::filesystem::path& path) {
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(path.string(), 0);
     if (scene == nullptr || scene->mRootNode == nullptr)
-        throw Error("found '" + one_line(importer.GetErrorString()) +
-                    "', expected a mesh as glTF describes it");
+        throw Error("found " + in_quotes(one_line(importer.GetErrorString())) +
+                    ", expected a mesh as glTF describes it");
     Collector collector(*scene);
     collector.append(*scene->mRootNode, aiMatrix4x4());
     const PolygonSoup& soup = collector.soup;

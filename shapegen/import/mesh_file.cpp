@@ -2,6 +2,7 @@
 #include "shapegen/import/mesh_file.hpp"
 
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "formats/memory_map.hpp"
 #include "shapegen/import/gltf_reader.hpp"
 #include "shapegen/import/obj_reader.hpp"
@@ -40,8 +41,8 @@ const Format* format_of(const std::filesystem::path& path) {
 
 void check_file(const std::filesystem::path& path) {
     if (!is_mesh_file(path))
-        throw Error(path.string(), "found the extension '" + path.extension().string() +
-                                       "', expected " + mesh_extensions());
+        throw Error(path.string(), "found the extension " + in_quotes(path.extension().string()) +
+                                       ", expected " + mesh_extensions());
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error))
         throw Error(path.string(), "found no such file, expected a mesh");

@@ -2,6 +2,7 @@
 #include "shapegen/import/obj_reader.hpp"
 
 #include "common/error.hpp"
+#include "common/number.hpp"
 #include "shapegen/import/text_scanner.hpp"
 
 #include <algorithm>
@@ -136,8 +137,10 @@ class ObjReader {
         std::array<double, 7> values{};
         std::size_t count = 0;
         for (std::string_view word = text_.word(); !word.empty(); word = text_.word()) {
-            if (count == values.size() || !parse_number(word, values[count++]))
+            const auto value = finite_number(word);
+            if (!value || count == values.size())
                 text_.fail(word, "the coordinates of a vertex: x y z, with w, color or nothing");
+            values[count++] = *value;
         }
         // x y z, x y z w, x y z r g b, and the last with a weight or opacity.
         if (count != 3 && count != 4 && count != 6 && count != 7)

@@ -2,6 +2,7 @@
 #include "shapegen/import/ply_reader.hpp"
 
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "shapegen/import/byte_reader.hpp"
 #include "shapegen/import/ply_header.hpp"
 #include "shapegen/import/text_scanner.hpp"
@@ -153,7 +154,7 @@ class BodyReader {
             if (!indices_) indices_ = element.find("vertex_index");
             read_one = element.name == "face" ? &BodyReader::read_face : &BodyReader::read_strip;
         } else if (element.count > 0) {
-            soup_.notes.push_back("elements " + quoted(element.name) + ": " +
+            soup_.notes.push_back("elements " + in_quotes(element.name) + ": " +
                                   std::to_string(element.count) + " left out");
             if (element.properties.empty()) return;
         }
@@ -274,15 +275,15 @@ void check(const PlyHeader& header, std::size_t data_size, const std::string& na
         const std::uint64_t most = size > 0 ? (data_size + 1) / size : element.count;
         if (element.count > most || element.count > most_vertices)
             throw Error(place, "found " + std::to_string(element.count) + " " +
-                                   quoted(element.name) +
+                                   in_quotes(element.name) +
                                    " promised, expected no more than fit the file (" +
                                    std::to_string(most) + ")");
         const auto require = [&](std::string_view property, bool is_list) {
             const auto index = element.find(property);
             if (!index || element.properties[*index].count_type.has_value() != is_list ||
                 (is_list && !is_integer(element.properties[*index].type)))
-                throw Error(place, "found no property '" + std::string(property) + "' of " +
-                                       quoted(element.name) + " that is a " +
+                throw Error(place, "found no property " + in_quotes(property) + " of " +
+                                       in_quotes(element.name) + " that is a " +
                                        (is_list ? "list of whole numbers" : "number") +
                                        ", expected one");
         };

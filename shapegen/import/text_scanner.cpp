@@ -2,10 +2,11 @@
 #include "shapegen/import/text_scanner.hpp"
 
 #include "common/error.hpp"
+#include "common/number.hpp"
+#include "common/text.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <utility>
 
 namespace dem {
@@ -23,14 +24,6 @@ char lower_case(char c) {
 std::string_view unsigned_part(std::string_view word) {
     const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
     return has_plus ? word.substr(1) : word;
-}
-
-template <class Number>
-bool parse(std::string_view word, Number& value) {
-    const std::string_view digits = unsigned_part(word);
-    const char* end = digits.data() + digits.size();
-    const auto [stop, problem] = std::from_chars(digits.data(), end, value);
-    return problem == std::errc() && stop == end;
 }
 
 }  // namespace
@@ -95,15 +88,15 @@ std::string_view TextScanner::word_of_any_line() {
 
 double TextScanner::number(std::string_view expected) {
     const std::string_view digits = word();
-    double value = 0.0;
-    if (!parse_number(digits, value)) fail(digits, expected);
-    return value;
+    const auto value = finite_number(digits);
+    if (!value) fail(digits, expected);
+    return *value;
 }
 
 std::int64_t TextScanner::whole_number(std::string_view expected) {
     const std::string_view digits = word();
     std::int64_t value = 0;
-    if (!parse(digits, value)) fail(digits, expected);
+    if (!parse_whole_number(digits, value)) fail(digits, expected);
     return value;
 }
 
@@ -113,16 +106,15 @@ std::string TextScanner::place() const {
 
 void TextScanner::fail(std::string_view found, std::string_view expected) const {
     std::string message = "found ";
-    message += !found.empty() ? quoted(found) : at_ == end_ ? "the end" : "the end of the line";
+    message += !found.empty() ? in_quotes(found) : at_ == end_ ? "the end" : "the end of the line";
     throw Error(place(), message.append(", expected ").append(expected));
 }
 
-bool parse_number(std::string_view word, double& value) {
-    return parse(word, value) && std::isfinite(value);
-}
-
 bool parse_whole_number(std::string_view word, std::int64_t& value) {
-    return parse(word, value);
+    const std::string_view digits = unsigned_part(word);
+    const char* end = digits.data() + digits.size();
+    const auto [stop, problem] = std::from_chars(digits.data(), end, value);
+    return problem == std::errc() && stop == end;
 }
 
 bool is_keyword(std::string_view word, std::string_view lower) {
@@ -135,14 +127,6 @@ std::string_view text_of(std::span<const std::byte> bytes) {
     std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     return text;
-}
-
-std::string quoted(std::string_view word) {
-    constexpr std::size_t longest = 40;
-    std::string text = "'" + std::string(word.substr(0, longest));
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    return text + (word.size() > longest ? "...'" : "'");
 }
 
 }  // namespace dem

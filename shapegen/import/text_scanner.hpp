@@ -56,8 +56,6 @@ class TextScanner {
     bool is_in_line_ = false;
 };
 
-/// The word as a finite number, when it is one: "1.", ".5", "+1e5".
-bool parse_number(std::string_view word, double& value);
 bool parse_whole_number(std::string_view word, std::int64_t& value);
 
 /// Equal but for upper and lower case; `lower` is in lower case.
@@ -65,8 +63,5 @@ bool is_keyword(std::string_view word, std::string_view lower);
 
 /// The bytes as characters, without the mark that some editors put in front of UTF-8.
 std::string_view text_of(std::span<const std::byte> bytes);
-
-/// In quotes, cut when long, without control characters: fit for a message of one line.
-std::string quoted(std::string_view word);
 
 }  // namespace dem

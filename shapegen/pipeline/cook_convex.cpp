@@ -173,14 +173,8 @@ ParticleTemplate convex_template(ConvexSolid solid, std::string name) {
 
 CookedConvex cook_convex(const std::filesystem::path& path, const ConvexRequest& request,
                          const MeshLoadOptions& mesh) {
-    if (!is_mesh_file(path)) return cook_file(path, request, mesh.scale);
-    try {
-        return cook_mesh(path, request, mesh);
-    } catch (const Error& problem) {
-        const std::string words = problem.what();
-        if (words.starts_with(path.string())) throw;
-        throw Error(path.string(), words);
-    }
+    return is_mesh_file(path) ? cook_mesh(path, request, mesh)
+                              : cook_file(path, request, mesh.scale);
 }
 
 }  // namespace dem

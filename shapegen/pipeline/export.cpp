@@ -3,6 +3,7 @@
 
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "formats/clump_export.hpp"
 #include "formats/mesh_export.hpp"
 #include "shapegen/picture/clump_picture.hpp"
@@ -20,8 +21,8 @@ namespace {
 
 const SrShape& sr_shape(const ParticleTemplate& shape, const std::string& format) {
     if (const auto* sr = std::get_if<SrShape>(&shape.shape)) return *sr;
-    throw Error(shape.name,
-                "found a shape of kind '" + kind_name(shape) + "', expected 'sr' for " + format);
+    throw Error(shape.name, "found a shape of kind " + in_quotes(kind_name(shape)) +
+                                ", expected 'sr' for " + format);
 }
 
 /// Surfaces to look at: of a clump the body's and that of the spheres, else the body's.
@@ -68,8 +69,8 @@ const ParticleTemplate& find_shape(const TemplateFile& file, const std::string& 
     if (problem == std::errc() && stop == end && index < file.shapes.size()) {
         return file.shapes[index];
     }
-    throw Error(where, "found no shape '" + wanted +
-                           "', expected a name from 'shapegen inspect' or " + "an index below " +
+    throw Error(where, "found no shape " + in_quotes(wanted) +
+                           ", expected a name from 'shapegen inspect' or " + "an index below " +
                            std::to_string(file.shapes.size()));
 }
 
@@ -92,8 +93,8 @@ void export_shape(const ParticleTemplate& shape, const std::filesystem::path& pa
         write_obj(path, surfaces(shape, frame), names, frame.unit_name());
     } else {
         throw UsageError(path.string(),
-                         "found the extension '" + extension +
-                             "', expected .svg, .stl, .obj, .vtu or .csv, or --format for a clump "
+                         "found the extension " + in_quotes(extension) +
+                             ", expected .svg, .stl, .obj, .vtu or .csv, or --format for a clump "
                              "in the format of another code");
     }
 }

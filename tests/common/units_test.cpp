@@ -77,16 +77,5 @@ TEST(Units, MessagesNameWhatWasFoundWhatWasMeantAndWhatIsKnown) {
               "'5 mm': unit 'mm' is of a length, expected a plain number");
 }
 
-TEST(Units, TheNearestWordIsSuggestedAndNoneWhereNoneIsNear) {
-    const std::vector<std::string> words = {"restitution", "friction", "model", "youngs_modulus"};
-    EXPECT_EQ(nearest_word("restitutoin", words), "restitution");
-    EXPECT_EQ(nearest_word("frction", words), "friction");
-    EXPECT_EQ(nearest_word("Model", words), "model");
-    EXPECT_EQ(nearest_word("young_modulus", words), "youngs_modulus");
-    EXPECT_EQ(nearest_word("gravity", words), "");
-    EXPECT_EQ(nearest_word("", words), "");
-    EXPECT_EQ(nearest_word("x", {}), "");
-}
-
 }  // namespace
 }  // namespace dem

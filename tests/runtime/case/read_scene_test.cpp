@@ -158,7 +158,8 @@ TEST(ReadScene, MistakesAreNamedWithTheirLine) {
     EXPECT_EQ(case_message(sphere_case("[contact.coating.gold]\nfriction = 1\n")),
               "c.ini:25: unknown material 'gold', expected one of: coating, steel");
     EXPECT_EQ(case_message(sphere_case("[contact.coating.steel]\nfriction = 1\n")),
-              "c.ini:25: second section for materials 'coating' and 'steel', first at c.ini:13");
+              "c.ini:25: second section for materials 'coating' and 'steel', expected one (first "
+              "at c.ini:13)");
     EXPECT_EQ(
         case_message(sphere_case(), "particles.balls.material=steel"),
         "--set particles.balls.material: material 'steel' has no density, particles need one");
@@ -169,7 +170,7 @@ TEST(ReadScene, MistakesAreNamedWithTheirLine) {
               "c.ini:16: radius: both template and radius in [particles.balls], expected one of "
               "them");
     EXPECT_EQ(case_message(sphere_case(), "run.time_step=2 s"),
-              "--set run.time_step: '2 s' found, expected less than end_time = 1 s");
+              "--set run.time_step: '2 s' found, expected less than end_time = '1 s'");
     EXPECT_EQ(case_message("[run]\nend_time = 1\n"),
               "c.ini: no section [particles.NAME], it is required");
     const std::string missing =
