@@ -2,28 +2,22 @@
 #include "formats/case_file.hpp"
 
 #include "common/error.hpp"
+#include "common/text.hpp"
+#include "formats/text_file.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 
 namespace dem {
 
 namespace {
 
 /// Larger files are something else by mistake; the largest cases people write are a few kB.
-constexpr std::uintmax_t largest_case = 16U << 20U;
+constexpr std::size_t most_megabytes = 16;
 
 bool is_blank(char c) {
     return c == ' ' || c == '\t';
-}
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-    return text;
 }
 
 std::string_view without_comment(std::string_view line) {
@@ -34,20 +28,18 @@ std::string_view without_comment(std::string_view line) {
     return line;
 }
 
+/// Names stand in messages, in file names and in the header of history.csv.
+constexpr std::size_t longest_name = 100;
+
 /// A section or key: letters, digits, `_`, `-`; sections also dots between such words.
 bool is_name(std::string_view text, bool dots) {
-    if (text.empty() || text.front() == '.' || text.back() == '.') return false;
+    if (text.empty() || text.size() > longest_name || text.front() == '.' || text.back() == '.')
+        return false;
     if (text.find("..") != std::string_view::npos) return false;
     return std::all_of(text.begin(), text.end(), [dots](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' ||
                (dots && c == '.');
     });
-}
-
-std::string quoted(std::string_view text) {
-    constexpr std::size_t longest = 60;
-    if (text.size() <= longest) return "'" + std::string(text) + "'";
-    return "'" + std::string(text.substr(0, longest)) + "...'";
 }
 
 /// Refuses control characters other than tab and the end of a line: no text file holds them. Bytes
@@ -94,16 +86,19 @@ class Parser {
 
     void parse_section(std::string_view line) {
         if (line.back() != ']') {
-            throw Error(where(), "no ']' at the end of " + quoted(line) + ", expected [section]");
+            throw Error(where(),
+                        "no ']' at the end of " + in_quotes(line) + ", expected [section]");
         }
         const std::string_view name = trimmed(line.substr(1, line.size() - 2));
         if (!is_name(name, true)) {
-            throw Error(where(), "bad section name " + quoted(name) +
-                                     ", expected letters, digits, '_', '-' and single dots");
+            throw Error(where(),
+                        "bad section name " + in_quotes(name) +
+                            ", expected at most 100 letters, digits, '_', '-' and single dots");
         }
         if (const CaseSection* first = file_.find(name)) {
-            throw Error(where(), "section [" + std::string(name) + "] given twice, first at " +
-                                     first->where);
+            throw Error(where(), "section [" + std::string(name) +
+                                     "] given twice, expected it once (first at " + first->where +
+                                     ")");
         }
         file_.sections.push_back({std::string(name), where(), {}});
     }
@@ -111,24 +106,25 @@ class Parser {
     void parse_entry(std::string_view line) {
         const std::size_t equals = line.find('=');
         if (equals == std::string_view::npos) {
-            throw Error(where(), quoted(line) + " found, expected 'key = value' or '[section]'");
+            throw Error(where(), in_quotes(line) + " found, expected 'key = value' or '[section]'");
         }
         const std::string_view key = trimmed(line.substr(0, equals));
         const std::string_view value = trimmed(line.substr(equals + 1));
         if (!is_name(key, false)) {
-            throw Error(where(),
-                        "bad key " + quoted(key) + ", expected letters, digits, '_' and '-'");
+            throw Error(where(), "bad key " + in_quotes(key) +
+                                     ", expected at most 100 letters, digits, '_' and '-'");
         }
         if (file_.sections.empty()) {
-            throw Error(where(), "key " + quoted(key) + " before any [section]");
+            throw Error(where(), "key " + in_quotes(key) +
+                                     " before any section, expected [run] or another above it");
         }
         if (value.empty()) {
-            throw Error(where(), "no value for key " + quoted(key) + ", expected 'key = value'");
+            throw Error(where(), "no value for key " + in_quotes(key) + ", expected 'key = value'");
         }
         CaseSection& section = file_.sections.back();
         if (const CaseEntry* first = section.find(key)) {
-            throw Error(where(), "key " + quoted(key) + " given twice in [" + section.name +
-                                     "], first at " + first->where);
+            throw Error(where(), "key " + in_quotes(key) + " given twice in [" + section.name +
+                                     "], expected it once (first at " + first->where + ")");
         }
         section.entries.push_back({std::string(key), std::string(value), where()});
     }
@@ -166,19 +162,7 @@ CaseFile parse_case(std::string_view text, const std::string& path) {
 }
 
 CaseFile read_case_file(const std::string& path) {
-    namespace fs = std::filesystem;
-    std::error_code failure;
-    const fs::file_status status = fs::status(path, failure);
-    if (!fs::exists(status)) throw Error(path, "no such file, expected a case file");
-    if (fs::is_directory(status)) throw Error(path, "is a folder, expected a case file");
-    if (fs::is_regular_file(status) && fs::file_size(path, failure) > largest_case) {
-        throw Error(path, "larger than 16 MiB, expected a case file");
-    }
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw Error(path, "cannot be read, expected a case file");
-    const std::string text(std::istreambuf_iterator<char>(stream), {});
-    if (stream.bad()) throw Error(path, "cannot be read to its end");
-    return parse_case(text, path);
+    return parse_case(read_text_file(path, "case file", most_megabytes), path);
 }
 
 void override_value(CaseFile& file, std::string_view assignment) {
@@ -190,7 +174,7 @@ void override_value(CaseFile& file, std::string_view assignment) {
     const std::string_view key = split ? name.substr(dot + 1) : std::string_view();
     const std::string_view value = split ? trimmed(assignment.substr(equals + 1)) : key;
     if (!is_name(section, true) || !is_name(key, false) || value.empty()) {
-        throw UsageError("--set", quoted(assignment) + " found, expected section.key=value");
+        throw UsageError("--set", in_quotes(assignment) + " found, expected section.key=value");
     }
     const std::string where = "--set " + std::string(name);
     check_text(value, where, false);

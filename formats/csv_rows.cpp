@@ -2,6 +2,7 @@
 #include "formats/csv_rows.hpp"
 
 #include "common/error.hpp"
+#include "common/text.hpp"
 
 #include <algorithm>
 
@@ -11,11 +12,9 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r";
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
+// Beyond these the text is no table, be it a file of any size.
+constexpr std::size_t longest_field = std::size_t{1} << 16;  // [bytes]
+constexpr std::size_t most_fields = 1000;
 
 }  // namespace
 
@@ -32,8 +31,9 @@ std::string CsvRows::quoted_field() {
     std::string field;
     rest_.remove_prefix(1);
     while (true) {
-        const std::size_t quote = rest_.find('"');
-        if (quote == std::string_view::npos) throw Error(place(), "a quote is not closed");
+        const std::size_t quote = rest_.substr(0, longest_field - field.size()).find('"');
+        if (quote == std::string_view::npos)
+            throw Error(place(), "a quote is not closed, expected a second one within 64 kB");
         field.append(rest_.substr(0, quote));
         line_ += static_cast<std::size_t>(
             std::count(rest_.begin(), rest_.begin() + static_cast<std::ptrdiff_t>(quote), '\n'));
@@ -50,25 +50,44 @@ std::string CsvRows::quoted_field() {
     return field;
 }
 
+std::string_view CsvRows::plain_field() {
+    const std::string_view ahead = rest_.substr(0, longest_field);
+    const std::size_t end = std::min(ahead.find_first_of(",\n"), ahead.size());
+    if (end == longest_field)
+        throw Error(place(), "a field of more than 64 kB found, expected a comma-separated table");
+    const std::string_view field = rest_.substr(0, end);
+    rest_.remove_prefix(end);
+    return trimmed(field);
+}
+
+void CsvRows::skip_blank_lines() {
+    std::size_t start = 0;  // of the line
+    for (std::size_t k = 0; k < rest_.size(); ++k) {
+        if (rest_[k] == '\n') {
+            ++line_;
+            start = k + 1;
+        } else if (blanks.find(rest_[k]) == std::string_view::npos) {
+            rest_.remove_prefix(start);
+            return;
+        }
+    }
+    rest_ = {};
+}
+
 bool CsvRows::next(std::vector<std::string>& fields) {
     fields.clear();
-    while (!rest_.empty()) {
-        const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-        if (!trimmed(rest_.substr(0, end)).empty()) break;
-        rest_.remove_prefix(std::min(end + 1, rest_.size()));
-        ++line_;
-    }
+    skip_blank_lines();
     if (rest_.empty()) return false;
     row_line_ = line_;
     while (true) {
+        if (fields.size() == most_fields)
+            throw Error(place(), "more than 1000 fields found, expected a comma-separated table");
         const std::size_t start = std::min(rest_.find_first_not_of(" \t"), rest_.size());
         if (rest_.substr(start).starts_with('"')) {
             rest_.remove_prefix(start);
             fields.push_back(quoted_field());
         } else {
-            const std::size_t end = std::min(rest_.find_first_of(",\n"), rest_.size());
-            fields.emplace_back(trimmed(rest_.substr(0, end)));
-            rest_.remove_prefix(end);
+            fields.emplace_back(plain_field());
         }
         if (rest_.empty()) return true;
         const char separator = rest_.front();

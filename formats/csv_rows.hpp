@@ -16,7 +16,8 @@ class CsvRows {
     CsvRows(std::string_view text, std::string where);
 
     /// The fields of the next row that is not blank; false at the end. Throws Error for a quote
-    /// that is not closed or is followed by text.
+    /// that is not closed or is followed by text, a field of more than 64 kB, more than 1000
+    /// fields.
     bool next(std::vector<std::string>& fields);
 
     /// The line where the last row starts, from 1, and the same as "bodies.csv:12".
@@ -24,7 +25,9 @@ class CsvRows {
     std::string place() const;
 
   private:
+    void skip_blank_lines();
     std::string quoted_field();
+    std::string_view plain_field();
 
     std::string_view rest_;
     std::string where_;

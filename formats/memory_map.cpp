@@ -31,7 +31,7 @@ MemoryMap::MemoryMap(const std::filesystem::path& path) {
     }
     close(descriptor);
     if (S_ISDIR(status.st_mode)) fail(EISDIR);
-    if (!is_regular) throw Error(path.string(), "is not a regular file");
+    if (!is_regular) throw Error(path.string(), "is a device or pipe, expected a file");
     if (map_error != 0) fail(map_error);
     bytes_ = {static_cast<const std::byte*>(start), size};
 }

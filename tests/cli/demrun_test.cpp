@@ -41,6 +41,55 @@ TEST_F(Demrun, AWrongCommandLineIsTwo) {
     }
 }
 
+TEST_F(Demrun, AnOverrideWithoutItsQuotesIsExplained) {
+    const std::string expected =
+        "demrun: error: --set: 's' found after 'run.end_time=3', expected quotes around a value "
+        "with blanks: --set 'run.end_time=3 s'\n";
+    for (const char* arguments :
+         {"case.ini --set run.end_time=3 s", "case.ini --set=run.end_time=3 s",
+          "--set run.end_time=3 s case.ini"}) {
+        const Outcome outcome = demrun(arguments);
+        EXPECT_EQ(outcome.code, 2) << arguments;
+        EXPECT_EQ(outcome.errors, expected) << arguments;
+    }
+    EXPECT_EQ(demrun("case.ini --set run.gravity=0 0 -9.81").code, 2);
+    EXPECT_EQ(demrun("--set run.seed=3 case.ini --check").code, 0);
+}
+
+TEST_F(Demrun, NoMessageHasTwoLines) {
+    EXPECT_EQ(demrun("'none\nto be\tfound.ini'").errors,
+              "demrun: error: none\\nto be\\tfound.ini: no such file, expected a case file\n");
+}
+
+TEST_F(Demrun, ADeviceIsNoCaseTemplateOrTable) {
+    EXPECT_EQ(demrun("/dev/zero").errors,
+              "demrun: error: /dev/zero: more than 16 MB found, expected a case file\n");
+    const std::string device = " is a device or pipe, expected a file\n";
+    EXPECT_EQ(demrun("case.ini --set particles.t.template=/dev/zero --set particles.t.material=m "
+                     "--set particles.t.count=1 --set 'particles.t.region=box 0 0 0 1 1 1 mm'")
+                  .errors,
+              "demrun: error: --set particles.t.template: /dev/zero:" + device);
+    EXPECT_EQ(demrun("case.ini --set particles.t.radius=1 --set particles.t.material=m "
+                     "--set particles.t.insert=file --set particles.t.file=/dev/zero")
+                  .errors,
+              "demrun: error: /dev/zero:" + device);
+}
+
+TEST_F(Demrun, CheckNamesTheMotionsThatAreThere) {
+    const std::string fast =
+        "case.ini --check --set contact.model=linear --set contact.normal_stiffness=1 "
+        "--set contact.tangential_restitution=1 --set 'particles.balls.velocity=0 0 -900'";
+    const Outcome balls = demrun(fast);
+    EXPECT_NE(balls.output.find("of the motion: one radius at"), std::string::npos)
+        << balls.output << balls.errors;
+    EXPECT_EQ(balls.output.find("half a period"), std::string::npos) << balls.output;
+    const Outcome wall = demrun(fast +
+                                " --set wall.room.motion=oscillate --set "
+                                "wall.room.frequency=1 --set wall.room.amplitude=1e-3 "
+                                "--set 'wall.room.direction=0 0 1'");
+    EXPECT_NE(wall.output.find("half a period of a wall"), std::string::npos) << wall.output;
+}
+
 TEST_F(Demrun, ABadCaseIsOneLineAndOneAndWritesNothing) {
     const Outcome unknown = demrun("case.ini --set contact.frictoin=1");
     EXPECT_EQ(unknown.code, 1);

@@ -55,10 +55,11 @@ TEST(CaseFile, EveryErrorNamesTheLine) {
     EXPECT_EQ(message_of("[run]\n\nend_time\n"),
               "c.ini:3: 'end_time' found, expected 'key = value' or '[section]'");
     EXPECT_EQ(message_of("[run]\na = 1\nb = 2\na = 3\n"),
-              "c.ini:4: key 'a' given twice in [run], first at c.ini:2");
+              "c.ini:4: key 'a' given twice in [run], expected it once (first at c.ini:2)");
     EXPECT_EQ(message_of("[run]\n[wall.a]\n[run]\n"),
-              "c.ini:3: section [run] given twice, first at c.ini:1");
-    EXPECT_EQ(message_of("a = 1\n"), "c.ini:1: key 'a' before any [section]");
+              "c.ini:3: section [run] given twice, expected it once (first at c.ini:1)");
+    EXPECT_EQ(message_of("a = 1\n"),
+              "c.ini:1: key 'a' before any section, expected [run] or another above it");
     EXPECT_EQ(message_of("[run\n"), "c.ini:1: no ']' at the end of '[run', expected [section]");
     EXPECT_EQ(message_of("[run]\nseed = # none\n"),
               "c.ini:2: no value for key 'seed', expected 'key = value'");
@@ -88,6 +89,26 @@ TEST(CaseFile, AMissingFileOrAFolderIsNamed) {
         },
         Error);
     EXPECT_THROW(read_case_file("/"), Error);
+}
+
+TEST(CaseFile, ADeviceThatNeverEndsIsRefused) {
+    try {
+        read_case_file("/dev/zero");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "/dev/zero: more than 16 MB found, expected a case file");
+    }
+}
+
+TEST(CaseFile, AQuotedLineIsShortAndReadable) {
+    const std::string line(3'000'000, 'a');
+    EXPECT_EQ(message_of("[run]\n" + line + "\n"),
+              "c.ini:2: '" + std::string(40, 'a') + "..." + std::string(17, 'a') +
+                  "' found, expected 'key = value' or '[section]'");
+    EXPECT_EQ(message_of("[run]\nx\ry\tz\n"),
+              "c.ini:2: 'x\\ry\\tz' found, expected 'key = value' or '[section]'");
+    EXPECT_LT(message_of("[" + line + "]\n").size(), 200U);
+    EXPECT_LT(message_of("[run]\n" + line + " = 1\n").size(), 200U);
 }
 
 TEST(CaseFile, AnOverrideReplacesAddsAndSaysWhoItIs) {

@@ -178,7 +178,7 @@ TEST_F(TemplateOnDisk, WhatIsNoTemplateIsNamedForWhatItIs) {
     write("mesh.stl", "solid bunny, and nothing that a template would hold");
     EXPECT_EQ(reading("mesh.stl"), "is not a template, expected a .tpl file made by shapegen");
     ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
-    EXPECT_EQ(reading("pipe"), "is not a regular file");
+    EXPECT_EQ(reading("pipe"), "is a device or pipe, expected a file");
 
     write_template(folder_ / "good.tpl", sample::file());
     const std::string good = text("good.tpl");
