@@ -72,19 +72,20 @@ std::vector<std::size_t> taken_shapes(const Values& values, const std::vector<Bo
 }  // namespace
 
 ShapeLibrary& ParticleGroupReader::library(const Values& values, Scene& scene) {
-    if (values.has("radius") == values.has("template")) {
-        throw Error(values.has("radius") ? values.where("radius") : values.section_where(),
-                    std::string(values.has("radius") ? "both template and radius"
-                                                     : "neither template nor radius") +
-                        " in [" + values.section_name() + "], expected one of them");
+    const std::optional<double> radius = values.radius();
+    if (radius.has_value() == values.has("template")) {
+        throw Error(
+            radius ? values.where(values.has("radius") ? "radius" : "diameter")
+                   : values.section_where(),
+            std::string(radius ? "both template and radius" : "neither template nor radius") +
+                " in [" + values.section_name() + "], expected one of them");
     }
-    if (values.has("radius")) {
+    if (radius) {
         if (values.has("shape")) {
             throw Error(values.where("shape"),
                         "found beside 'radius', expected it with 'template'");
         }
-        const double radius = values.number("radius");
-        return spheres_.try_emplace(radius, radius).first->second;
+        return spheres_.try_emplace(*radius, *radius).first->second;
     }
     const std::string path = (folder_ / values.text("template")).lexically_normal().string();
     if (const auto known = templates_.find(path); known != templates_.end()) return known->second;

@@ -27,7 +27,12 @@ void read_cylinder(const Values& values, const Wall& base, Scene& scene) {
     const Vec3 point = values.vector("point");
     const Vec3 axis = values.direction("axis");
     CylinderWall side;
-    side.radius = values.number("radius");
+    const std::optional<double> radius = values.radius();
+    if (!radius) {
+        throw Error(values.section_where(), "no 'radius' in [" + values.section_name() +
+                                                "], it or 'diameter' is required for a cylinder");
+    }
+    side.radius = *radius;
     side.inside = values.word("side") == "inside";
     const std::optional<double> length = values.optional_number("length");
     if (length) side.length = *length;

@@ -212,6 +212,13 @@ double Values::number(std::string_view key) const {
     return value;
 }
 
+std::optional<double> Values::radius() const {
+    if (has("radius") && has("diameter"))
+        throw Error(where("diameter"), "found beside 'radius', expected one of them");
+    if (has("diameter")) return 0.5 * number("diameter");
+    return optional_number("radius");
+}
+
 std::optional<double> Values::optional_number(std::string_view key) const {
     const std::string value = text(key);
     if (value.empty() || contains(key_of(key).words, value)) return std::nullopt;
