@@ -58,7 +58,7 @@ std::span<const std::byte> template_payload(std::span<const std::byte> file,
     }
     if (file.size() < template_header_size) {
         throw Error(where, "is truncated: it has " + std::to_string(file.size()) +
-                               " bytes, a template starts with a header of 32");
+                               " bytes, expected a header of 32 and more");
     }
     const auto version = load<std::uint32_t>(file, version_at);
     if (version != template_format_version) {
@@ -72,7 +72,7 @@ std::span<const std::byte> template_payload(std::span<const std::byte> file,
     if (payload.size() != size) {
         throw Error(where, std::string(payload.size() < size ? "is truncated" : "is too long") +
                                ": it has " + std::to_string(payload.size()) +
-                               " bytes after its header, which says " + std::to_string(size));
+                               " bytes after its header, expected " + std::to_string(size));
     }
     if (load<std::uint32_t>(file, header_size_at) != template_header_size ||
         load<std::uint64_t>(file, checksum_at) != checksum(payload)) {

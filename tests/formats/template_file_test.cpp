@@ -183,7 +183,7 @@ TEST_F(TemplateOnDisk, WhatIsNoTemplateIsNamedForWhatItIs) {
     write_template(folder_ / "good.tpl", sample::file());
     const std::string good = text("good.tpl");
     write("short.tpl", good.substr(0, 1000));
-    EXPECT_EQ(reading("short.tpl"), "is truncated: it has 968 bytes after its header, which says " +
+    EXPECT_EQ(reading("short.tpl"), "is truncated: it has 968 bytes after its header, expected " +
                                         std::to_string(good.size() - 32));
     write("long.tpl", good + "x");
     EXPECT_NE(reading("long.tpl").find("is too long"), std::string::npos);

@@ -1,57 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/error.hpp"
 #include "common/random.hpp"
-#include "common/state_hash.hpp"
-#include "formats/template_reader.hpp"
 #include "tests/formats/sample_template.hpp"
+#include "tests/fuzz/promise.hpp"
 
 #include <gtest/gtest.h>
 
 namespace dem {
 namespace {
 
-/// True when the bytes are taken for a template; every array of it is then walked from end to end,
-/// so that the address sanitizer sees a view that leaves the file.
-bool is_accepted(std::span<const std::byte> bytes) {
-    sample::Bytes copy(bytes.size());
-    if (!bytes.empty()) std::memcpy(copy.bytes.data(), bytes.data(), bytes.size());
-    try {
-        const TemplateFile file = read_template(copy.memory, copy.bytes, "x.tpl");
-        StateHash hash;
-        for (const ParticleTemplate& t : file.shapes) {
-            for (const Vec3& v : t.display_mesh.vertices) hash.add(std::span(v.data(), 3));
-            if (const auto* sr = std::get_if<SrShape>(&t.shape)) {
-                EXPECT_EQ(reinterpret_cast<std::uintptr_t>(sr->sdf.values.data()) % 8, 0U);
-                EXPECT_EQ(reinterpret_cast<std::uintptr_t>(sr->nodes.nodes.data()) % 8, 0U);
-                hash.add(sr->support.pieces.span());
-                hash.add(sr->sdf.values.span());
-                hash.add(sr->curvature.span());
-                hash.add(sr->nodes.nodes.span());
-                hash.add(sr->nodes.stencil.span());
-            }
-            if (const auto* convex = std::get_if<ConvexShape>(&t.shape)) {
-                for (const Vec3& v : convex->vertices) hash.add(std::span(v.data(), 3));
-                hash.add(convex->face_vertices.span());
-                hash.add(convex->neighbors.span());
-            }
-            if (const auto* clump = std::get_if<Clump>(&t.shape)) {
-                hash.add(clump->spheres.span());
-                hash.add(clump->balls.span());
-            }
-        }
-        return true;
-    } catch (const Error& e) {
-        EXPECT_EQ(std::string(e.what()).rfind("x.tpl: ", 0), 0U) << e.what();
-        EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << e.what();
-        return false;
-    }
-}
-
 TEST(TemplateFuzz, EveryTruncationIsRejected) {
     const sample::Bytes good = sample::unchecked(sample::file());
-    ASSERT_TRUE(is_accepted(good.bytes));
+    ASSERT_TRUE(fuzz::reads_template(good.bytes));
     for (std::size_t size = 0; size < good.bytes.size(); ++size) {
-        ASSERT_FALSE(is_accepted(good.bytes.first(size))) << size;
+        ASSERT_FALSE(fuzz::reads_template(good.bytes.first(size))) << size;
     }
 }
 
@@ -67,11 +28,11 @@ TEST(TemplateFuzz, EveryChangedByteIsRejected) {
                                         ? 1U << k
                                         : 1U + static_cast<unsigned>(random.next() % 255);
             good.bytes[i] = old ^ static_cast<std::byte>(change);
-            ASSERT_FALSE(is_accepted(good.bytes)) << "byte " << i;
+            ASSERT_FALSE(fuzz::reads_template(good.bytes)) << "byte " << i;
         }
         good.bytes[i] = old;
     }
-    ASSERT_TRUE(is_accepted(good.bytes));
+    ASSERT_TRUE(fuzz::reads_template(good.bytes));
 }
 
 TEST(TemplateFuzz, RandomBytesAreRejectedWithAndWithoutAHeader) {
@@ -79,8 +40,8 @@ TEST(TemplateFuzz, RandomBytesAreRejectedWithAndWithoutAHeader) {
         Random random(2, round);
         sample::Bytes soup(random.next() % 3000);
         for (std::byte& b : soup.bytes) b = static_cast<std::byte>(random.next());
-        EXPECT_FALSE(is_accepted(soup.bytes));
-        EXPECT_FALSE(is_accepted(sample::sealed(soup.bytes).bytes));
+        EXPECT_FALSE(fuzz::reads_template(soup.bytes));
+        EXPECT_FALSE(fuzz::reads_template(sample::sealed(soup.bytes).bytes));
     }
 }
 
@@ -114,7 +75,7 @@ TEST(TemplateFuzz, AMutatedPayloadUnderARightChecksumNeverLeavesTheBuffer) {
                     break;
             }
         }
-        rejected += is_accepted(sample::sealed(bytes).bytes) ? 0 : 1;
+        rejected += fuzz::reads_template(sample::sealed(bytes).bytes) ? 0 : 1;
     }
     // Many a changed last digit is as good as the old one; offsets and lengths are not.
     EXPECT_GT(rejected, 3000);
