@@ -98,11 +98,19 @@ Segments spherocylinder(const ShapeParameters& p) {
             EllipseArc{Vec2(0.0, h), radius, radius, 0.0, 0.5 * pi}};
 }
 
+/// Thinner waists drown in the rounding of the curve, and are finer than any field that is made.
+constexpr double thinnest_waist = 0.01;  // of the length
+
 Segments cassini(const ShapeParameters& p) {
     const double focus = p.length("focus");
     const double product_root = p.length("product_root");
-    if (!(product_root > focus * (1.0 + 1e-6)))
+    if (!(product_root > focus))
         p.fail("product_root", "a length above 'focus', otherwise the oval falls into two parts");
+    // waist^2 / length^2, as below
+    const double squared =
+        (square(product_root) - square(focus)) / (square(product_root) + square(focus));
+    if (squared < square(thinnest_waist))
+        p.fail("product_root", "one that leaves a waist of 1/100 of the length or more");
     return {cassini_half(focus, product_root)};
 }
 
@@ -111,6 +119,7 @@ Segments peanut(const ShapeParameters& p) {
     const double length = p.length("length");
     const double waist = p.length("waist");
     if (!(waist < length)) p.fail("waist", "a waist smaller than the length");
+    if (waist < thinnest_waist * length) p.fail("waist", "1/100 of the length or more");
     return {cassini_half(std::sqrt((square(length) - square(waist)) / 8.0),
                          std::sqrt((square(length) + square(waist)) / 8.0))};
 }

@@ -243,6 +243,18 @@ TEST(ProfileFileErrors, RefuseValuesThatMakeNoBody) {
     expect_message("shape = sphere\nradius = 1\nline 2 3", "x.profile:3:", "only parameters");
 }
 
+// One of 1/1000 kept the integral of its length from ending.
+TEST(ProfileFile, AWaistThinnerThanAnyFieldIsRefused) {
+    const auto reads = [](const std::string& waist) {
+        return parse_profile("shape = peanut\nlength = 10\nwaist = " + waist, "x.profile");
+    };
+    EXPECT_NEAR(reads("0.1").profile.major_axis_length(), 10.0, 1e-12);
+    expect_message("shape = peanut\nlength = 10\nwaist = 0.0999",
+                   "x.profile:3: waist = '0.0999' found", "expected 1/100 of the length or more");
+    expect_message("shape = peanut\nlength = 10\nwaist = 1e-6", "x.profile:3:", "1/100");
+    expect_message("shape = cassini\nfocus = 1\nproduct_root = 1.00001", "x.profile:3:", "1/100");
+}
+
 TEST(ProfileFileErrors, RefuseFilesThatAreNoProfiles) {
     const auto message = [](const std::string& path) -> std::string {
         try {
