@@ -21,6 +21,12 @@ bool is_one_line(std::string_view text) {
     });
 }
 
+constexpr std::size_t longest_line = 1000;
+
+std::string said(std::string_view fault, std::string_view line) {
+    return std::string(fault) + ": " + std::string(line.substr(0, 2 * longest_line));
+}
+
 bool says_what_to_do(std::string_view message) {
     constexpr std::array<std::string_view, 6> ways = {"expected", "required", "need",
                                                       "belongs",  "again",    "did you mean"};
@@ -56,18 +62,18 @@ void promise(bool holds, std::string_view what) {
     std::abort();
 }
 
+void check_line(std::string_view line) {
+    promise(is_one_line(line), said("it is one line without control characters", line));
+    promise(line.size() <= longest_line, said("it is short", line));
+}
+
 void check_message(std::string_view message, std::span<const std::string> places) {
-    constexpr std::size_t longest = 1000;
-    const auto said = [&](std::string_view fault) {
-        return std::string(fault) + ": " + std::string(message.substr(0, 2 * longest));
-    };
-    promise(is_one_line(message), said("a message is one line without control characters"));
-    promise(message.size() <= longest, said("a message is short"));
+    check_line(message);
     const bool has_place = std::any_of(places.begin(), places.end(), [&](const std::string& place) {
         return message.starts_with(place);
     });
-    promise(has_place, said("a message begins with its place"));
-    promise(says_what_to_do(message), said("a message says what was expected"));
+    promise(has_place, said("a message begins with its place", message));
+    promise(says_what_to_do(message), said("a message says what was expected", message));
 }
 
 void promise_finite(double value, std::string_view what) {

@@ -22,8 +22,12 @@ inline std::string_view as_text(Bytes bytes) {
 /// Says which promise is broken and aborts unless it holds.
 void promise(bool holds, std::string_view what);
 
-/// A message is one line of text without control characters, begins with the place of what is
-/// wrong (one of `places`), is no longer than a person reads, and says what was expected.
+/// What is said to the user is one line of text without control characters, no longer than a person
+/// reads.
+void check_line(std::string_view line);
+
+/// A message is such a line, begins with the place of what is wrong (one of `places`) and says what
+/// was expected.
 void check_message(std::string_view message, std::span<const std::string> places);
 
 /// What stands in targets/NAME.cpp: reads a whole file and looks at all that it holds. Whether the
