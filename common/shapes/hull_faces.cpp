@@ -190,7 +190,8 @@ void require_points_of_hull(std::span<const Vec3> points) {
     }
     for (std::size_t k = 0; k < points.size(); ++k) {
         if (!points[k].allFinite())
-            throw Error("convex hull", "point " + std::to_string(k) + " is not finite");
+            throw Error("convex hull",
+                        "point " + std::to_string(k) + " is not finite, expected numbers");
     }
 }
 

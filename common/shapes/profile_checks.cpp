@@ -143,9 +143,10 @@ void check_path(std::span<const ProfileSegment> segments, std::span<const std::s
         const CurveJet end = evaluate(segments[i], 1.0);
         if (!(start.point.allFinite() && middle.point.allFinite() && end.point.allFinite() &&
               middle.first.allFinite()))
-            throw Error(labels[i], "a coordinate is not a finite number");
+            throw Error(labels[i], "found a coordinate that is not finite, expected a number");
         if (!((middle.point - start.point).norm() > touch_tolerance * size))
-            throw Error(labels[i], "the segment at " + text(start.point) + " has no length");
+            throw Error(labels[i], "the segment at " + text(start.point) +
+                                       " has no length, expected another end");
         if (i == 0) continue;
         const Vec2 previous = evaluate(segments[i - 1], 1.0).point;
         if (!((start.point - previous).norm() <= join_tolerance * size))
