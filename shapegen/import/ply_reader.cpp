@@ -160,8 +160,8 @@ class BodyReader {
         }
         for (std::uint64_t row = 0; row < element.count; ++row) {
             if (!values_.begin_row())
-                values_.fail("the end", element.name + " " + std::to_string(row + 1) + " of " +
-                                            std::to_string(element.count));
+                values_.fail("the end", in_quotes(element.name) + " " + std::to_string(row + 1) +
+                                            " of " + std::to_string(element.count));
             (this->*read_one)(element);
             values_.end_row();
         }

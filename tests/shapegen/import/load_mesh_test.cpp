@@ -195,7 +195,7 @@ TEST_F(LoadMesh, FilesThatHoldLessThanTheyPromiseGiveALineWithItsPlace) {
         {"missing_face.off", ":11: found the end, expected face 5 of 5"},
         {"index_out_of_range.off", ":9: found '9', expected one of the 4 vertices"},
         {"quad_out_of_range.ply", ":16: found vertex 99999999 as a corner, expected one of the 4"},
-        {"one_face_too_few.ply", ":18: found the end, expected face 5 of 5"}};
+        {"one_face_too_few.ply", ":18: found the end, expected 'face' 5 of 5"}};
     for (const auto& [file, words] : cases)
         EXPECT_EQ(refusal(faults / file).rfind((faults / file).string() + words, 0), 0U)
             << refusal(faults / file);

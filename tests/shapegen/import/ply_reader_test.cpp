@@ -135,7 +135,7 @@ TEST(PlyReader, WhatItDoesNotHoldIsRefusedWithItsPlace) {
                 vertices + "element face 100000000\nproperty list uchar int vertex_index\n") +
              points,
          "x:9: found 100000000 'face' promised, expected no more than fit the file ("},
-        {start + points + "3 0 1 2\n", "x:17: found the end, expected face 2 of 2"},
+        {start + points + "3 0 1 2\n", "x:17: found the end, expected 'face' 2 of 2"},
         {start + points + "3 0 1 2\n0\n", "x:17: found a face of 0 corners, expected three"},
         {start + points + "3 0 1 2\n3 0 1 4\n", "x:17: found vertex 4 as a corner, expected one"},
         {start + points + "3 0 1 2\n3 0 1 -2\n", "x:17: found vertex -2 as a corner, expected"},
