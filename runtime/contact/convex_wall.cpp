@@ -7,6 +7,7 @@
 #include "runtime/contact/wall_frame.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace dem {
@@ -122,7 +123,7 @@ class TubeFeatures {
     template <class Visit>
     void visit_point(const Vec3& x, const Visit& visit) {
         const AxialPoint p = axial_point(x - origin_, axis_);
-        add(x, p.radial, p.r, p.z, visit);
+        add({x, p.radial, p.r, p.z}, 1.0, visit);
     }
     Vec2 across(const Vec3& v) const { return {v.dot(e1_), v.dot(e2_)}; }
     /// The places farthest from the axis of an end or a body whose outline across the axis is the
@@ -130,19 +131,32 @@ class TubeFeatures {
     template <class Supported, class Visit>
     void visit_outline(const Supported& body, const Ellipse& outline, const Visit& visit) {
         const FarthestPlaces places = farthest_places(outline);
-        for (std::size_t k = 0; k < places.count; ++k) {
-            const Vec3 e = places.direction[k].x() * e1_ + places.direction[k].y() * e2_;
+        const auto look_at = [&](const Vec2& direction, double weight) {
+            const Vec3 e = direction.x() * e1_ + direction.y() * e2_;
             const Vec3 x = body.support(e, 0).position - origin_;
-            add(origin_ + x, e, e.dot(x), x.dot(axis_), visit);
-        }
+            return add({origin_ + x, e, e.dot(x), x.dot(axis_)}, weight, visit);
+        };
+        bool all_touch = true;
+        for (std::size_t k = 0; k < places.count; ++k)
+            all_touch = look_at(places.direction[k], 1.0) && all_touch;
+        // Two places that become one do so together with the place between them: counted against
+        // them it leaves one (docs/contact.md, "Many points").
+        if (places.count == 2 && all_touch) look_at(places.between, -1.0);
     }
+    /// A point of the core as the tube sees it.
+    struct Place {
+        Vec3 x, outward;
+        double r, z;
+    };
     template <class Visit>
-    void add(const Vec3& x, const Vec3& outward, double r, double z, const Visit& visit) {
-        const double overlap = r + core_.rounding - wall_.radius;
-        gap_ = std::min(gap_, -overlap);
-        if (!(overlap > 0.0)) return;
-        if (std::isfinite(wall_.length) && (z < 0.0 || z > wall_.length)) return;
-        visit(FeaturePoint{x + (core_.rounding - 0.5 * overlap) * outward, -outward, overlap});
+    bool add(const Place& p, double weight, const Visit& visit) {
+        const double overlap = p.r + core_.rounding - wall_.radius;
+        if (weight > 0.0) gap_ = std::min(gap_, -overlap);
+        if (!(overlap > 0.0)) return false;
+        if (std::isfinite(wall_.length) && (p.z < 0.0 || p.z > wall_.length)) return false;
+        const Vec3 position = p.x + (core_.rounding - 0.5 * overlap) * p.outward;
+        visit(FeaturePoint{position, -p.outward, overlap}, weight);
+        return true;
     }
 
     const PlacedCore& core_;
@@ -161,13 +175,20 @@ PairContact in_tube(const ConvexShape& a, const CylinderWall& wall, const Convex
     std::vector<FeaturePoint>& points = call.memory.scratch.points;
     points.clear();
     double deepest = 0.0;
-    tube.visit([&](const FeaturePoint& p) {
+    // Places between others never are the deepest: they wait at the end.
+    std::array<FeaturePoint, 2> between;
+    std::size_t between_count = 0;
+    tube.visit([&](const FeaturePoint& p, double weight) {
         deepest = std::max(deepest, p.overlap);
-        points.push_back(p);
+        if (weight > 0.0)
+            points.push_back(p);
+        else
+            between[between_count++] = p;
     });
     if (points.empty()) return keep_apart(call.memory, std::max(tube.gap(), 0.0));
     FeatureSum features(call.pair, deepest);
     for (const FeaturePoint& p : points) features.add(p, 1.0);
+    for (std::size_t k = 0; k < between_count; ++k) features.add(between[k], -1.0);
     return contact_force(features, 0.5 * a.equivalent_diameter, call.law, call.dt,
                          call.memory.history);
 }

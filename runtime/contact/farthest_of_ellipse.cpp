@@ -38,15 +38,15 @@ class Quadrant {
         return q;
     }
 
-    /// The maximum between `low`, where F rises, and `high`, where it falls: Newton on the slope,
-    /// kept inside the bracket by bisection.
-    Sample maximum(double low, double high) const {
+    /// The maximum of sense * F between `low`, where that rises, and `high`, where it falls: Newton
+    /// on the slope, kept inside the bracket by bisection.
+    Sample maximum(double low, double high, double sense = 1.0) const {
         double t = 0.5 * (low + high);
         Sample q = at(t);
         for (int k = 0; k < 100 && q.slope != 0.0 && high - low > 1e-15; ++k) {
-            (q.slope > 0.0 ? low : high) = t;
+            (sense * q.slope > 0.0 ? low : high) = t;
             const double step = -q.slope / q.curvature * 0.5 * (1.0 + t * t);
-            const bool is_newton = q.curvature < 0.0 && t + step > low && t + step < high;
+            const bool is_newton = sense * q.curvature < 0.0 && t + step > low && t + step < high;
             t = is_newton ? t + step : 0.5 * (low + high);
             q = at(t);
             // What is left is the square of it.
@@ -80,20 +80,25 @@ FarthestPlaces farthest_places(const Ellipse& ellipse) {
     const double sign_u = u < 0.0 ? -1.0 : 1.0;
     const double sign_v = v < 0.0 ? -1.0 : 1.0;
     FarthestPlaces places;
-    const auto add = [&](const Quadrant::Sample& q, double side) {
-        places.direction[places.count++] = side * sign_u * q.sine * e_u + sign_v * q.cosine * e_v;
+    const auto direction = [&](const Quadrant::Sample& q, double side) {
+        return Vec2(side * sign_u * q.sine * e_u + sign_v * q.cosine * e_v);
     };
-    add(Quadrant(std::abs(u), std::abs(v), ellipse).maximum(0.0, 1.0), 1.0);
+    places.direction[places.count++] =
+        direction(Quadrant(std::abs(u), std::abs(v), ellipse).maximum(0.0, 1.0), 1.0);
 
     // The slope of the other quadrant is highest, relative to sin theta cos theta, at theta_0 with
-    // tan^3 theta_0 = u b^2 / (v a^2); if it is positive there, a maximum follows.
+    // tan^3 theta_0 = u b^2 / (v a^2); if it is positive there, a minimum comes before and a
+    // maximum follows.
     const Quadrant other(-std::abs(u), std::abs(v), ellipse);
     const double sine = math::cbrt(std::abs(u) * square(ellipse.b));
     const double cosine = math::cbrt(std::abs(v) * square(ellipse.a));
     const double length = std::sqrt(sine * sine + cosine * cosine);
     const double tangent = length > 0.0 ? sine / (length + cosine) : 0.0;
     const double low = std::clamp(tangent, 1e-9, 1.0 - 1e-9);
-    if (other.at(low).slope > 0.0) add(other.maximum(low, 1.0), -1.0);
+    if (other.at(low).slope > 0.0) {
+        places.direction[places.count++] = direction(other.maximum(low, 1.0), -1.0);
+        places.between = direction(other.maximum(0.0, low, -1.0), -1.0);
+    }
     return places;
 }
 

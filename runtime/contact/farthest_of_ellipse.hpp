@@ -22,6 +22,7 @@ Ellipse ellipse_of(const Vec2& center, double m_xx, double m_xy, double m_yy);
 struct FarthestPlaces {
     std::array<Vec2, 2> direction;
     std::size_t count = 0;
+    Vec2 between;  ///< where two are, of the minimum between them
 };
 
 /// The places of an ellipse that are farthest from the origin among those beside them: one lies

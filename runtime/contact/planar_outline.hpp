@@ -83,23 +83,15 @@ class PlanarOutline {
 
     /// Local maximum of F between `low` and `high`, less than 180 degrees apart, where F rises at
     /// `low` and falls at `high`: Newton on F' from `start`, kept inside the bracket by bisection.
-    Sample maximum(Vec2 low, Vec2 high, const Vec2& start) const {
-        Vec2 u = start;
-        Sample s = at(u);
-        for (int k = 0; k < 100; ++k) {
-            const double t = -s.slope / s.curvature;
-            if (s.curvature < 0.0 && std::abs(t) <= square(step_tolerance)) break;
-            (s.slope >= 0.0 ? low : high) = u;
-            u = planar::turned(u, t);
-            const bool is_newton = s.curvature < 0.0 && is_between(low, u, high);
-            if (!is_newton) u = (low + high).normalized();
-            s = at(u);
-            if (is_newton && std::abs(t) <= step_tolerance) break;
-        }
-        return s;
+    Sample maximum(const Vec2& low, const Vec2& high, const Vec2& start) const {
+        return extremum(low, high, start, 1.0);
     }
     Sample maximum(const Vec2& low, const Vec2& high) const {
         return maximum(low, high, (low + high).normalized());
+    }
+    /// Local minimum where F falls at `low` and rises at `high`.
+    Sample minimum(const Vec2& low, const Vec2& high) const {
+        return extremum(low, high, (low + high).normalized(), -1.0);
     }
 
     static bool is_between(const Vec2& low, const Vec2& u, const Vec2& high) {
@@ -107,6 +99,23 @@ class PlanarOutline {
     }
 
   private:
+    /// Maximum of F times `kind`, 1 or -1.
+    Sample extremum(Vec2 low, Vec2 high, Vec2 u, double kind) const {
+        Sample s = at(u);
+        for (int k = 0; k < 100; ++k) {
+            const double t = -s.slope / s.curvature;
+            const bool is_bent = kind * s.curvature < 0.0;
+            if (is_bent && std::abs(t) <= square(step_tolerance)) break;
+            (kind * s.slope >= 0.0 ? low : high) = u;
+            u = planar::turned(u, t);
+            const bool is_newton = is_bent && is_between(low, u, high);
+            if (!is_newton) u = (low + high).normalized();
+            s = at(u);
+            if (is_newton && std::abs(t) <= step_tolerance) break;
+        }
+        return s;
+    }
+
     static constexpr double step_tolerance = 1e-6;  ///< [rad]; what is left is the square of it
 
     SrSupport support_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/sr_cylinder.hpp"
 
-#include "runtime/contact/common_normal.hpp"
+#include "common/math/elementary.hpp"
 #include "runtime/contact/planar_outline.hpp"
 
 #include <algorithm>
@@ -9,26 +9,24 @@
 
 namespace dem {
 
-namespace {
-
-/// Adds a point of the body where it is `overlap` beyond a wall of the outward normal n; x is
-/// relative to the body's centre. A full list keeps the deepest.
-void add_point(WallTouch& touch, const Vec3& x, const Vec3& n, double overlap,
-               const SupportSample& support) {
-    const bool is_deepest = std::all_of(touch.points.begin(), touch.points.begin() + touch.count,
-                                        [&](const ContactPoint& p) { return p.overlap < overlap; });
-    if (is_deepest) touch.deepest = support;
+void WallTouch::add(const Vec3& x, const Vec3& n, double overlap, const SupportSample& support) {
+    const bool is_deepest =
+        std::all_of(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count),
+                    [&](const ContactPoint& p) { return p.overlap < overlap; });
+    if (is_deepest) deepest = support;
     ContactPoint* place = nullptr;
-    if (touch.count < touch.points.size()) {
-        place = &touch.points[touch.count++];
+    if (count < points.size()) {
+        place = &points[count++];
     } else {
         place = std::min_element(
-            touch.points.begin(), touch.points.end(),
+            points.begin(), points.end(),
             [](const ContactPoint& a, const ContactPoint& b) { return a.overlap < b.overlap; });
         if (place->overlap >= overlap) return;
     }
     *place = {x + 0.5 * overlap * n, n, overlap, 0};
 }
+
+namespace {
 
 /// The part of the circle of directions in which a body can reach the wall.
 struct Window {
@@ -43,9 +41,9 @@ struct Window {
 
 /// Directions that divide the window so that between two neighbors the outline's distance from the
 /// axis has at most one maximum that matters: a regular division, and the borders of the flat
-/// parts. Where nothing is flatter than the wall one is enough for less than 180 degrees: two
-/// places at the wall would have the outline between them outside of the arc of the wall's radius
-/// through both (Blaschke's rolling theorem), so that it is one place.
+/// parts and of what looks flat. Where nothing is flatter than the wall one is enough for less than
+/// 180 degrees: two places at the wall would have the outline between them outside of the arc of
+/// the wall's radius through both (Blaschke's rolling theorem), so that it is one place.
 class OutlineDivision {
   public:
     OutlineDivision(const SupportMap& map, double tilt, double flat_radius, const Window& window)
@@ -53,7 +51,12 @@ class OutlineDivision {
           tilt_(tilt),
           flat_radius_(flat_radius),
           window_(window),
-          has_flat_(map.bounds.longest_radius > flat_radius) {}
+          has_flat_(map.bounds.longest_radius > flat_radius) {
+        const std::size_t count = map.pieces.size();
+        if (!has_flat_ || count < 3) return;
+        add_rim_borders(map.pieces[0], map.pieces[1], -1.0);
+        add_rim_borders(map.pieces[count - 1], map.pieces[count - 2], 1.0);
+    }
 
     /// The next dividing direction after the one of this measure, the end of the window at last.
     Vec2 after(double& measure) const {
@@ -62,6 +65,8 @@ class OutlineDivision {
         for (std::size_t k = 0; k < regular.size(); k += stride)
             consider(planar::sum(window_.middle, regular[k]), measure, next);
         if (has_flat_) consider_borders(measure, next);
+        for (std::size_t k = 0; k < rim_border_count_; ++k)
+            consider(rim_borders_[k], measure, next);
         measure = next.measure;
         return next.u;
     }
@@ -101,10 +106,26 @@ class OutlineDivision {
         consider({cosine, -sine}, measure, next);
     }
 
+    /// The rim of a flat end seen edge on is as flat: an ellipse of semi-axes r and b with the
+    /// radius of curvature r^2 b^2 / (r^2 sin^2 psi + b^2 cos^2 psi)^(3/2).
+    void add_rim_borders(const SupportPiece& end, const SupportPiece& rim, double side) {
+        const double r2 = square(rim.center_r);
+        const double b2 = r2 * std::max(0.0, 1.0 - square(tilt_));
+        if (!(longest_radius(end) > flat_radius_) || longest_radius(rim) > 0.0 || !(r2 > b2))
+            return;
+        const double sine2 = (math::cbrt(square(r2 * b2 / flat_radius_)) - b2) / (r2 - b2);
+        if (!(sine2 > 0.0 && sine2 < 1.0)) return;
+        const double cosine = side * std::sqrt(1.0 - sine2);
+        for (const double sine : {-std::sqrt(sine2), std::sqrt(sine2)})
+            rim_borders_[rim_border_count_++] = {cosine, sine};
+    }
+
     const SupportMap& map_;
     double tilt_, flat_radius_;
     const Window& window_;
     bool has_flat_;
+    std::array<Vec2, 4> rim_borders_;
+    std::size_t rim_border_count_ = 0;
 };
 
 /// One body at the inside of a cylinder.
@@ -145,6 +166,7 @@ class InsideSearch {
         const OutlineDivision division(a_.support, outline_.tilt(), inner, window);
 
         double largest = inner;
+        Valley valley;
         double measure = -window.end();
         Vec2 low = window.low();
         double low_slope = outline_.at(low).slope;
@@ -155,7 +177,12 @@ class InsideSearch {
                 const PlanarOutline::Sample s =
                     outline_.maximum(low, high, start_between(low, high, history));
                 largest = std::max(largest, s.value);
-                if (s.value > wall_.radius) add(s, touch);
+                const bool touches = s.value > wall_.radius && add(s, touch);
+                if (touches && valley.is_open) add_between(valley, touch);
+                valley = {touches, false, {}};
+            } else if (low_slope < 0.0 && high_slope >= 0.0 && valley.follows_a_touch) {
+                valley.lowest = outline_.minimum(low, high);
+                valley.is_open = valley.lowest.value > wall_.radius;
             }
             low = high;
             low_slope = high_slope;
@@ -166,11 +193,26 @@ class InsideSearch {
   private:
     static constexpr double reach = 0.1;  ///< how far to look for the place of a step ago [rad]
 
-    void add(const PlanarOutline::Sample& s, WallTouch& touch) const {
+    /// Between two places that touch.
+    struct Valley {
+        bool follows_a_touch = false;
+        bool is_open = false;  ///< found, and beyond the wall as well
+        PlanarOutline::Sample lowest{};
+    };
+
+    bool add(const PlanarOutline::Sample& s, WallTouch& touch) const {
         const Vec3 x = s.support.point(s.e);
         const double z = (center_ + x).dot(axis_);
-        const bool beyond_rim = std::isfinite(wall_.length) && (z < 0.0 || z > wall_.length);
-        if (!beyond_rim) add_point(touch, x, -s.e, s.value - wall_.radius, s.support);
+        if (std::isfinite(wall_.length) && (z < 0.0 || z > wall_.length)) return false;
+        touch.add(x, -s.e, s.value - wall_.radius, s.support);
+        return true;
+    }
+    void add_between(const Valley& valley, WallTouch& touch) const {
+        if (touch.between_count == touch.between.size()) return;
+        const PlanarOutline::Sample& s = valley.lowest;
+        const double overlap = s.value - wall_.radius;
+        touch.between[touch.between_count++] = {s.support.point(s.e) - 0.5 * overlap * s.e, -s.e,
+                                                overlap, 0};
     }
 
     /// Where a contact was a step ago, or the middle.
@@ -198,77 +240,6 @@ WallTouch touch_inside(const SrShape& a, const SrSupport& support, const Cylinde
     touch.gap = inside.gap_of_bounding_sphere();
     if (touch.gap > 0.0 || inside.follow(history, touch)) return touch;
     inside.search(history, touch);
-    return touch;
-}
-
-namespace {
-
-/// Nearest approach of the body to the axis: like a ball, with one minimum.
-PlanarOutline::Sample nearest_to_axis(const PlanarOutline& outline, Vec2 u) {
-    constexpr double stride = 0.2;
-    PlanarOutline::Sample s = outline.at(u);
-    const double direction = s.slope >= 0.0 ? stride : -stride;
-    const int round = static_cast<int>(2.0 * pi / stride) + 2;
-    for (int k = 0; k < round; ++k) {
-        const Vec2 further = planar::turned(u, direction);
-        const PlanarOutline::Sample next = outline.at(further);
-        const bool between = s.slope >= 0.0 ? next.slope < 0.0 : next.slope >= 0.0;
-        if (between && direction > 0.0) return outline.maximum(u, further);
-        if (between) return outline.maximum(further, u);
-        u = further;
-        s = next;
-    }
-    return s;
-}
-
-}  // namespace
-
-WallTouch touch_rod(const SrShape& a, const SrSupport& support, const CylinderWall& wall,
-                    const WallPose& pose) {
-    WallTouch touch;
-    const Vec3& axis = pose.axis;
-    const Vec3& center = pose.center;
-    const double z = center.dot(axis);
-    const Vec3 off_axis = center - z * axis;
-    touch.gap = off_axis.norm() - wall.radius - a.bounding_radius;
-    if (touch.gap > 0.0) return touch;
-
-    const PlanarOutline outline(support, axis, off_axis, -1.0);
-    const PlanarOutline::Sample side = nearest_to_axis(outline, outline.towards(off_axis));
-    const double side_overlap = wall.radius - side.value;
-    const Vec3 side_point = side.support.point(-side.e);
-    if (std::isinf(wall.length)) {
-        touch.gap = -side_overlap;
-        if (side_overlap > 0.0) add_point(touch, side_point, side.e, side_overlap, side.support);
-        return touch;
-    }
-    const bool upper = z > 0.5 * wall.length;
-    const Vec3 outward = upper ? axis : Vec3(-axis);
-    const double end_z = upper ? wall.length : 0.0;
-    const SupportSample face = support(-outward);
-    const double face_overlap = face.h - (center.dot(outward) - end_z);
-    touch.gap = std::max(-side_overlap, -face_overlap);
-    if (touch.gap >= 0.0) return touch;
-
-    // Overlapping the endless rod and the half space behind the end: the true contact is where one
-    // of them is touched within its bounds, else at the edge.
-    touch.gap = 0.0;
-    const Vec3 face_point = face.point(-outward);
-    const Vec3 on_face = center + face_point;
-    const double touched_z = (center + side_point).dot(axis);
-    const bool on_side = touched_z >= 0.0 && touched_z <= wall.length;
-    const bool within_face = (on_face - on_face.dot(axis) * axis).norm() <= wall.radius;
-    if (on_side && (!within_face || side_overlap <= face_overlap)) {
-        add_point(touch, side_point, side.e, side_overlap, side.support);
-    } else if (within_face) {
-        add_point(touch, face_point, outward, face_overlap, face);
-    } else {
-        const Vec3 d = end_z * axis - center;
-        const CircleSupport edge{wall.radius, axis};
-        const NormalProbe p = common_normal(support, edge, d, Vec3(d.normalized()));
-        touch.gap = -p.f;
-        if (p.f > 0.0) add_point(touch, p.i.point(p.n), -p.n, p.f, p.i);
-    }
     return touch;
 }
 

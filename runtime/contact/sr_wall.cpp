@@ -3,9 +3,36 @@
 
 #include "runtime/contact/convex_contact.hpp"
 #include "runtime/contact/sr_cylinder.hpp"
+#include "runtime/contact/sr_rod.hpp"
 #include "runtime/contact/wall_frame.hpp"
 
 namespace dem {
+
+namespace {
+
+/// The places that touch, and after them those between, which count against them.
+class WallPatch {
+  public:
+    explicit WallPatch(const WallTouch& touch) {
+        for (std::size_t k = 0; k < touch.count; ++k) points_[count_++] = touch.points[k];
+        std::uint64_t feature = none;
+        for (std::size_t k = 0; k < touch.between_count; ++k) {
+            ContactPoint p = touch.between[k];
+            p.overlap = -p.overlap;
+            p.feature = ++feature;
+            points_[count_++] = p;
+        }
+    }
+    std::span<const ContactPoint> points() const { return {points_.data(), count_}; }
+
+  private:
+    /// Beyond every number that give_features() gives.
+    static constexpr std::uint64_t none = 2 * PatchHistory::slot_count;
+    std::array<ContactPoint, 2 * PatchHistory::slot_count> points_;
+    std::size_t count_ = 0;
+};
+
+}  // namespace
 
 PairContact collide(const SrShape& a, const PlaneWall& wall, const PairState& pair,
                     const ContactLaw& law, double dt, const ContactMemory<PointHistory>& memory) {
@@ -35,8 +62,11 @@ PairContact collide(const SrShape& a, const CylinderWall& wall, const PairState&
     if (touch.count == 0) return no_contact(memory, touch.gap);
     give_features(touch, memory.history);
     const double radius = contact_radius(law, touch.deepest, a.equivalent_diameter);
-    return contact_force(std::span(touch.points.data(), touch.count), radius, pair, law, dt,
-                         memory.history);
+    if (touch.between_count == 0 || law.multi_contact != ContactLaw::MultiContact::norm)
+        return contact_force(std::span(touch.points.data(), touch.count), radius, pair, law, dt,
+                             memory.history);
+    const WallPatch patch(touch);
+    return contact_force(patch.points(), radius, pair, law, dt, memory.history);
 }
 
 }  // namespace dem

@@ -16,7 +16,7 @@ struct ContactPoint {
     Vec3 position;   ///< relative to the centre of mass of i [m]
     Vec3 gradient;   ///< of the overlap with respect to a shift of i, from j towards i, negated:
                      ///< the repulsive force on i acts along it. Unit length or close to it
-    double overlap;  ///< [m], > 0
+    double overlap;  ///< [m], > 0; negated at a place between others that counts against them
     std::uint64_t
         feature;  ///< what touches (a node, a pair of spheres); the same whoever owns the pair
 };

@@ -5,10 +5,13 @@
 #include "runtime/contact_law/patch_slots.hpp"
 #include "runtime/contact_law/point_force.hpp"
 
+#include <cmath>
+
 /// All contact points of a pair as one Hertzian contact (docs/contact.md, "Many points"):
 ///   d = (sum d_k^p)^(1/p), w_k = (d_k / d)^(p-1), p = 16
 ///   f_k = w_k (k_n(d) d + gamma(d) d'_k)      from the potential of d and one dashpot per pair
-/// d_k overlap of point k, d'_k its rate, f_k its force along its own gradient.
+/// d_k overlap of point k, d'_k its rate, f_k its force along its own gradient. A point of negative
+/// overlap -d_k counts against the others: the sum is then with -d_k^p, and w_k < 0.
 namespace dem {
 
 namespace {
@@ -21,8 +24,9 @@ double power_15(double x) {
     const double x4 = x2 * x2;
     return x4 * x4 * x4 * x2 * x;
 }
+/// With the sign of x.
 double power_16(double x) {
-    return square(square(square(square(x))));
+    return std::copysign(square(square(square(square(x)))), x);
 }
 
 Vec3 relative_velocity(const PairState& pair, const Vec3& r_i) {
@@ -83,7 +87,7 @@ class NormPatch {
         s.elastic_part = w * c.k_n * overlap_;
         s.force = s.elastic_part +
                   hertz::dashpot_share(law_, c, overlap_, rate, dt) * w * c.gamma_n * rate;
-        if (law_.limit_force) s.force = std::max(s.force, 0.0);
+        if (law_.limit_force && w > 0.0) s.force = std::max(s.force, 0.0);
         s.dissipated = (s.force - s.elastic_part) * rate * dt;
         s.k_t = w * c.k_t;
         s.gamma_t = w * c.gamma_t;

@@ -23,6 +23,7 @@ std::size_t add_deepest(std::span<const ContactPoint> points, std::size_t kept, 
             ++next_kept;
             continue;
         }
+        if (points[k].overlap < 0.0) continue;
         // Sorted by depth; an equal one that came first has the lower feature and stays in front.
         std::size_t place = count;
         while (place > kept && points[chosen[place - 1].point].overlap < points[k].overlap) --place;

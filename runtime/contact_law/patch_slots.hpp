@@ -16,8 +16,9 @@ struct PatchSlots {
 };
 
 /// The rule of PatchHistory: who touches keeps its slot, free slots go to the deepest points
-/// without one, ties to the lower feature. Moves the slots that go on to their new places.
-/// `points` and slots are in the order of features, every feature once.
+/// without one, ties to the lower feature; a place that counts against others holds none. Moves the
+/// slots that go on to their new places. `points` and slots are in the order of features, every
+/// feature once.
 PatchSlots choose_slots(std::span<const ContactPoint> points, PatchHistory& history);
 
 }  // namespace dem

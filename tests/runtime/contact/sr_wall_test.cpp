@@ -4,6 +4,7 @@
 #include "common/random.hpp"
 #include "runtime/contact/sphere_wall.hpp"
 #include "runtime/contact/sr_cylinder.hpp"
+#include "runtime/contact/sr_rod.hpp"
 #include "runtime/contact/wall_frame.hpp"
 #include "runtime/contact_law/pair_law.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
