@@ -288,7 +288,8 @@ Bounce bounce(const BounceSettings& settings, std::uint64_t seed, const BounceWa
             first = energies.now();
         }
         energies.add(total_energy(setup.bodies));
-        if (watch) watch({setup.i, setup.j, setup.bodies, how.dt, energies.now() / reference});
+        if (watch)
+            watch({setup.i, setup.j, setup.wall, setup.bodies, how.dt, energies.now() / reference});
         if (result.touched) {
             ++result.steps;
             const double jump = energies.jump() / reference;

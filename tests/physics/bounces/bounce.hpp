@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runtime/contact/contact_types.hpp"
+#include "runtime/walls/wall.hpp"
 #include "tests/physics/bounces/members.hpp"
 #include "tests/physics/two_bodies.hpp"
 
@@ -39,6 +40,7 @@ inline constexpr double deepest_bounce = 0.1;
 struct BounceView {
     const ParticleTemplate& i;
     const ParticleTemplate& j;  ///< without meaning at a wall
+    const std::optional<Wall>& wall;
     const TwoBodies& bodies;
     double dt;      ///< [s]
     double energy;  ///< in total, relative

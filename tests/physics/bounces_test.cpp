@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/threads/thread_team.hpp"
+#include "tests/physics/bounces/bounce_table.hpp"
+
+#include <gtest/gtest.h>
+
+#ifndef BOUNCES
+#define BOUNCES 20
+#define SHARP_BOUNCES 30
+#endif
+
+// Elastic bounces of every pair of kinds at a hundredth of the critical time step
+// (docs/validation/bounces.md).
+namespace dem::test {
+namespace {
+
+/// Force of a potential that is continuous but has edges: where one face or end takes over from
+/// another the direction turns at once, or within a narrow band where a side is nearly straight,
+/// and a step that passes the place is wrong by up to the force times the way of one step. A
+/// tenfold smaller step makes it ten times less.
+bool has_creases(Kind i, Kind j) {
+    const auto is_angular = [](Kind k) {
+        return k == Kind::polyhedron || k == Kind::cylinder || k == Kind::cone;
+    };
+    if (j == Kind::rod) return i == Kind::sharp || i == Kind::nodes || is_angular(i);
+    if (i == Kind::smooth && is_wall(j)) return true;
+    if (i == Kind::nodes || j == Kind::nodes) return i == j || is_angular(i) || is_angular(j);
+    return is_angular(i) || is_angular(j);
+}
+
+struct Bounds {
+    double jump, mean;
+};
+Bounds bounds_of(Kind i, Kind j) {
+    return has_creases(i, j) ? Bounds{2e-2, 1e-3} : Bounds{1e-3, 1e-5};
+}
+
+TEST(Bounces, NoPairOfKindsGainsOrLosesEnergyAtOnce) {
+    ThreadTeam team(0);
+    const ThreadTeam::InForce in_force(&team);
+    BounceSettings settings;
+    settings.divisor = 100.0;
+    for_every_pair([&](Kind i, Kind j) {
+        settings.i = i;
+        settings.j = j;
+        const bool is_sharp = has_edges(i) && (has_edges(j) || is_wall(j));
+        const BounceSummary s = bounces(settings, 0, is_sharp ? SHARP_BOUNCES : BOUNCES);
+        const Bounds bounds = bounds_of(i, j);
+        EXPECT_LT(s.worst_jump, bounds.jump)
+            << name(i) << " and " << name(j) << ", seed " << s.worst[0].seed;
+        EXPECT_LT(s.mean_change, bounds.mean) << name(i) << " and " << name(j);
+    });
+}
+
+// Seeds that a search for the normal once got wrong.
+TEST(Bounces, PlacesWhereContactsBeganOrEndedAtOnceAreKnown) {
+    struct Case {
+        Kind i, j;
+        std::uint64_t seed;
+    };
+    constexpr std::array cases = {
+        Case{Kind::sharp, Kind::sharp, 13022},   // a tip slips off the rim of a face
+        Case{Kind::sharp, Kind::sharp, 19797},   //
+        Case{Kind::sharp, Kind::tube, 148},      // two places at a tube become one
+        Case{Kind::sharp, Kind::tube, 6475},     // a face seen edge on, between two places
+        Case{Kind::sharp, Kind::rod, 84},        // an edge slips off the edge of a rod
+        Case{Kind::sharp, Kind::rod, 1428},      // beside the rod, beyond the plane of its end
+        Case{Kind::cylinder, Kind::tube, 833}};  // two places of a rim at a tube
+    for (const Case& c : cases) {
+        BounceSettings settings;
+        settings.i = c.i;
+        settings.j = c.j;
+        settings.divisor = 100.0;
+        const Bounce b = bounce(settings, c.seed);
+        EXPECT_TRUE(b.touched);
+        EXPECT_LT(b.jump, c.j == Kind::rod ? 2e-3 : 1e-3)  // a crease at the rod's edge
+            << name(c.i) << " and " << name(c.j) << ", seed " << c.seed;
+    }
+}
+
+}  // namespace
+}  // namespace dem::test
