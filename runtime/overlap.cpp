@@ -61,14 +61,13 @@ std::string stiffer(const Scene& scene, const Encounter& e, double factor) {
     return text;
 }
 
-std::string stiff_enough_for_impact(const Scene& scene, const Encounter& e, double overlap) {
-    const double excess = overlap / scene.run.overlap_limit;
-    return stiffer(scene, e, math::pow(excess, is_linear(scene, e) ? 2.0 : 2.5));
+/// How much stiffer a contact must be that overlaps so much in an impact, in smaller radii.
+double impact_factor(const Scene& scene, const Encounter& e, double overlap) {
+    return math::pow(overlap / scene.run.overlap_limit, is_linear(scene, e) ? 2.0 : 2.5);
 }
 
-std::string stiff_enough_for_load(const Scene& scene, const Encounter& e, double overlap) {
-    const double excess = overlap / scene.run.overlap_limit;
-    return stiffer(scene, e, math::pow(excess, is_linear(scene, e) ? 1.0 : 1.5));
+double load_factor(const Scene& scene, const Encounter& e, double overlap) {
+    return math::pow(overlap / scene.run.overlap_limit, is_linear(scene, e) ? 1.0 : 1.5);
 }
 
 /// The time step of a contact is a twentieth of its duration at least.
@@ -112,6 +111,7 @@ void for_each_encounter(const Scene& scene, const Visit& visit) {
 
 /// All bodies as a bed on the ground that they have.
 struct Bed {
+    static constexpr double strongest_contact = 7.0;
     double weight = 0.0;  ///< [N]
     double bodies = 0.0;
     double ground = 0.0;  ///< [m^2]
@@ -136,11 +136,13 @@ struct Bed {
         ground = Vec3(e.y() * e.z(), e.z() * e.x(), e.x() * e.y()).dot(along);
     }
 
-    /// What rests on a body at the bottom, as if nothing leaned on the walls: the pressure, at most
-    /// that of a heap as wide as high, on a square of d_eq [N].
+    /// What the strongest contact at the bottom carries, as if nothing leaned on the walls: the
+    /// pressure, at most that of a heap as wide as high, on a square of d_eq, times what it has
+    /// more than the mean (seven in a settled bed of 400 spheres) [N].
     double load(double radius) const {
         const double own_square = square(2.0 * radius);
-        return weight * own_square / std::max(ground, own_square * math::pow(bodies, 2.0 / 3.0));
+        return std::min(strongest_contact, bodies) * weight * own_square /
+               std::max(ground, own_square * math::pow(bodies, 2.0 / 3.0));
     }
 };
 
@@ -190,10 +192,13 @@ std::string overlap_cause(const Scene& scene, const Encounter& e, double speed, 
             "less",
             dt, speed, duration / steps_per_contact);
     }
-    const double largest = impact_overlap(scene, e, speed, overlap);
+    const double impact = impact_overlap(scene, e, speed, overlap);
+    // A bed that settles softly has no speed to tell how far it will go.
+    const double load = load_overlap(scene, e, Bed(scene).load(e.smaller_radius));
+    const double factor = std::max(impact_factor(scene, e, impact), load_factor(scene, e, load));
     return "the material is too soft" +
-           formatted(" (they approach at %.3g m/s), expected ", speed) +
-           stiff_enough_for_impact(scene, e, largest) + ", or a larger overlap_limit";
+           formatted(" (they approach at %.3g m/s), expected ", speed) + stiffer(scene, e, factor) +
+           ", or a larger overlap_limit";
 }
 
 std::string foreseen_overlap(const Scene& scene, double speed) {
@@ -218,10 +223,11 @@ std::string foreseen_overlap(const Scene& scene, double speed) {
     const double limit = scene.run.overlap_limit;
     if (impact.overlap > limit) {
         warn("the fastest impact", impact,
-             stiff_enough_for_impact(scene, impact.between, impact.overlap));
+             stiffer(scene, impact.between, impact_factor(scene, impact.between, impact.overlap)));
     }
     if (load.overlap > limit) {
-        warn("a bed", load, stiff_enough_for_load(scene, load.between, load.overlap));
+        warn("a bed", load,
+             stiffer(scene, load.between, load_factor(scene, load.between, load.overlap)));
     }
     return text;
 }

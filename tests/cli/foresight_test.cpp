@@ -64,21 +64,25 @@ TEST_F(Foresight, CheckSaysTheModulusThatKeepsTheOverlapBelowTheLimit) {
     EXPECT_GT(largest_overlap("case"), 0.07);
 }
 
-TEST_F(Foresight, CheckForeseesTheWeightOfABed) {
+TEST_F(Foresight, TheWeightOfABedIsForeseenAndNamedAtTheStop) {
     const std::string bed =
-        "--check --set particles.s.insert=fill --set particles.s.count=400 --set "
+        "--force --set particles.s.insert=fill --set particles.s.count=400 --set "
         "'particles.s.region=cylinder 0 0 0 0 0 500 mm 25 mm' --set wall.floor.shape=cylinder "
         "--set "
-        "'wall.floor.radius=25 mm' --set run.overlap_limit=0.2 --set 'run.gravity=0 0 -9.81'";
+        "'wall.floor.radius=25 mm' --set 'run.gravity=0 0 -9.81'";
     std::string tube = soft_drop;
     tube.erase(tube.find("file = drop.csv\n"), 16);
     tube.erase(tube.find("normal = 0 0 1\n"), 15);
     write("case.ini", tube);
-    const Outcome stiff = demrun(bed + with_modulus("50 MPa"));
+    const Outcome stiff = demrun("--check " + bed + with_modulus("50 MPa"));
     EXPECT_EQ(stiff.code, 0) << stiff.errors;
     EXPECT_EQ(stiff.output.find("warning"), std::string::npos) << stiff.output;
-    const Outcome soft = demrun(bed + with_modulus("50 kPa"));
+    const Outcome soft = demrun("--check " + bed + with_modulus("50 kPa"));
     EXPECT_NE(soft.output.find("too soft for a bed of"), std::string::npos) << soft.output;
+    const Outcome stop = demrun(bed + with_modulus("50 kPa"));
+    EXPECT_EQ(stop.code, 1);
+    const Outcome run = demrun(bed + with_modulus(modulus_in(stop.errors)));
+    EXPECT_EQ(run.code, 0) << stop.errors << run.errors;
 }
 
 TEST_F(Foresight, AStopNamesASoftMaterialAndWhatIsStiffEnough) {
