@@ -11,6 +11,8 @@ namespace dem {
 namespace {
 
 constexpr std::uint32_t deepest_level = 12;  // 4096 children along the edge of a base cell
+/// Numbers of a distance field, in bounding radii: their products stay far from overflow.
+constexpr double largest_number = 1e6;
 
 void check_dimensions(const SrShape& shape, double bounding_radius, double volume,
                       const ValueCheck& check) {
@@ -80,6 +82,13 @@ void check_sdf(const SdfQuadtree& sdf, const SrShape& shape, const ValueCheck& c
     check.not_negative(sdf.lipschitz_slack, "slack of the distance field");
     check.not_negative(sdf.surface_slack, "slack of the distance field near the surface");
     check.not_negative(sdf.surface_band, "band of the distance field");
+    const double most = largest_number * shape.bounding_radius;
+    for (const double length : {sdf.origin_r, sdf.origin_z, sdf.base_size, sdf.margin,
+                                sdf.surface_slack, sdf.surface_band}) {
+        check.require(std::abs(length) <= most, "the distance field is too large for the body");
+    }
+    check.require(sdf.lipschitz_slack <= largest_number,
+                  "the slack of the distance field is too large");
     const std::uint64_t cells = std::uint64_t{sdf.cells_r} * sdf.cells_z;
     check.require(cells > 0 && cells == sdf.cells.size(),
                   "the distance field's cells do not match its grid");
@@ -96,7 +105,10 @@ void check_sdf(const SdfQuadtree& sdf, const SrShape& shape, const ValueCheck& c
         check.require(cell.first_value + corners * corners <= sdf.values.size(),
                       "a cell of the distance field has no values");
     }
-    for (const double value : sdf.values) check.finite(value, "distance");
+    for (const double value : sdf.values) {
+        check.finite(value, "distance");
+        check.require(std::abs(value) <= most, "a distance is too large for the body");
+    }
 }
 
 void check_curvature(const SrShape& shape, const ValueCheck& check) {
