@@ -39,6 +39,22 @@ void check_dimensions(const ConvexShape& shape, const ValueCheck& check) {
     check.require(false, "a convex shape has a core of an unknown kind");
 }
 
+/// Of the surface from the origin [m].
+double farthest(const ConvexShape& shape) {
+    const Vec3 size = shape.size;
+    double core = 0.0;
+    if (shape.is_polyhedron()) {
+        for (const Vec3& v : shape.vertices) core = std::max(core, v.norm());
+    } else if (shape.core == Core::ellipsoid) {
+        core = size.maxCoeff();
+    } else {
+        const double top = shape.low + size.z();
+        core = std::max(math::hypot(size.x(), shape.low),
+                        shape.core == Core::cone ? std::abs(top) : math::hypot(size.x(), top));
+    }
+    return core + shape.rounding;
+}
+
 /// No vertex of a face lies above the plane of a neighbor: with a closed surface that is enough.
 void check_convexity(const ConvexShape& shape, const ValueCheck& check) {
     const double slack = 1e-7 * shape.bounding_radius;
@@ -89,24 +105,12 @@ void check_convex_shape(const ConvexShape& shape, double bounding_radius, double
                         const std::string& where) {
     const ValueCheck check{where};
     check_dimensions(shape, check);
-    if (shape.is_polyhedron()) {
-        const double limit = check.slack * bounding_radius;
-        for (const Vec3& v : shape.vertices) {
-            check.require(v.norm() + shape.rounding <= limit,
-                          "a vertex of a polyhedron lies outside the bounding radius");
-        }
-        check_convexity(shape, check);
-    } else {
-        const Vec3 size = shape.size;
-        const double farthest =
-            shape.core == Core::ellipsoid
-                ? size.maxCoeff()
-                : std::max(math::hypot(size.x(), shape.low),
-                           shape.core == Core::cone ? std::abs(shape.low + size.z())
-                                                    : math::hypot(size.x(), shape.low + size.z()));
-        check.require(farthest + shape.rounding <= check.slack * bounding_radius,
-                      "a convex shape reaches beyond the bounding radius");
-    }
+    const double reach = farthest(shape);
+    check.require(reach <= check.slack * bounding_radius,
+                  "a convex shape reaches beyond the bounding radius");
+    check.require(bounding_radius <= 2.0 * reach,
+                  "the bounding radius is more than twice the reach of the convex shape");
+    if (shape.is_polyhedron()) check_convexity(shape, check);
     const ConvexMoments m = convex_moments(shape);
     check.require(std::abs(m.volume - volume) <= 1e-6 * volume,
                   "the volume is not that of the convex shape");

@@ -12,6 +12,8 @@ namespace dem {
 
 namespace {
 
+constexpr double largest_body = 1e6;  // [m], as everywhere: squares of squares do not overflow
+
 void check_mass_properties(const MassProperties& mass, const ValueCheck& check) {
     check.positive(mass.volume, "volume");
     check.finite(mass.center_of_mass, "center of mass");
@@ -88,6 +90,7 @@ void check_template(const ParticleTemplate& shape, const std::string& where) {
                                [](unsigned char c) { return std::iscntrl(c) != 0; }),
                   "the name holds control characters");
     check.positive(shape.bounding_radius, "bounding radius");
+    check.require(shape.bounding_radius <= largest_body, "the body is larger than 1e6 m");
     check_mass_properties(shape.mass_properties, check);
     check.require(
         shape.mass_properties.volume <= 4.0 / 3.0 * pi * cube(shape.bounding_radius) * check.slack,

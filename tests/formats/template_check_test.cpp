@@ -132,9 +132,7 @@ const Case wrong[] = {
 
     {"less than two samples", [](auto&, auto& s) { s.curvature = {}; }},
     {"curvature is inf",
-     [](auto&, auto& s) {
-         set(s.curvature, 0, CurvatureSample{0, -2e-3, 0, inf});
-     }},
+     [](auto&, auto& s) { set(s.curvature, 0, CurvatureSample{0, -2e-3, 0, inf}); }},
     {"does not rise",
      [](auto&, auto& s) { set(s.curvature, 1, CurvatureSample{0, -2e-3, -1, 0}); }},
     {"off the profile",
@@ -230,7 +228,7 @@ TEST(TemplateCheck, AWrongConvexShapeIsFoundAndNamed) {
         {"rounding of a convex shape is -", [](auto& c) { c.rounding = -1e-6; }},
         {"lower end of a convex shape is nan", [](auto& c) { c.low = nan; }},
         {"vertex of a polyhedron is inf", [](auto& c) { set(c.vertices, 1, Vec3(0, inf, 0)); }},
-        {"outside the bounding radius", [](auto& c) { c.rounding = 1e-3; }},
+        {"beyond the bounding radius", [](auto& c) { c.rounding = 1e-3; }},
         {"is not that of the convex shape", [](auto& c) { c.rounding *= 0.99; }},
         {"not convex", [](auto& c) { set(c.vertices, 0, Vec3(-0.4 * c.vertices[0])); }},
         {"fewer than three", [](auto& c) { set(c.face_begin, 1, 2U); }},
@@ -251,6 +249,15 @@ TEST(TemplateCheck, AWrongConvexShapeIsFoundAndNamed) {
         EXPECT_NE(message.find(c.expected), std::string::npos)
             << "expected: " << c.expected << "\nfound:    " << message;
     }
+}
+
+TEST(TemplateCheck, ABoundingRadiusOutOfProportionIsFound) {
+    TemplateFile content = sample::file();
+    content.shapes[3].bounding_radius *= 3.0;
+    EXPECT_NE(reading(content).find("more than twice the reach"), std::string::npos)
+        << reading(content);
+    content.shapes[3].bounding_radius = 1e243;
+    EXPECT_NE(reading(content).find("larger than 1e6 m"), std::string::npos) << reading(content);
 }
 
 TEST(TemplateCheck, AWrongSphereIsFound) {
