@@ -51,10 +51,13 @@ void check_trailer(const std::filesystem::path& path) {
     const auto bytes = file.bytes();
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (bytes.size() < size || !text.substr(text.size() - size).starts_with(trailer_mark)) {
-        throw Error(path.string(), "is not a checkpoint of demrun, or is cut short");
+        throw Error(path.string(),
+                    "is no checkpoint or is cut short, expected one that demrun wrote");
     }
     if (text.substr(text.size() - size) != trailer(bytes.first(bytes.size() - size))) {
-        throw Error(path.string(), "is damaged: its checksum does not fit");
+        throw Error(path.string(),
+                    "is damaged: found another checksum than its own, expected a checkpoint that "
+                    "demrun wrote");
     }
 }
 

@@ -74,7 +74,7 @@ TEST_F(Foresight, TheWeightOfABedIsForeseenAndNamedAtTheStop) {
     tube.erase(tube.find("file = drop.csv\n"), 16);
     tube.erase(tube.find("normal = 0 0 1\n"), 15);
     write("case.ini", tube);
-    const Outcome stiff = demrun("--check " + bed + with_modulus("50 MPa"));
+    const Outcome stiff = demrun("--check " + bed + with_modulus("200 MPa"));
     EXPECT_EQ(stiff.code, 0) << stiff.errors;
     EXPECT_EQ(stiff.output.find("warning"), std::string::npos) << stiff.output;
     const Outcome soft = demrun("--check " + bed + with_modulus("50 kPa"));

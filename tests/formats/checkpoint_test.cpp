@@ -62,14 +62,18 @@ TEST_F(CheckpointFile, AnyByteChangedOrCutOffIsAnError) {
 TEST_F(CheckpointFile, AnotherFileIsNamedAsSuch) {
     EXPECT_EQ(read_message().find(path_.string()), 0U) << "missing";
     write("checkpoint.h5", "no checkpoint");
-    EXPECT_EQ(read_message(), path_.string() + ": is not a checkpoint of demrun, or is cut short");
+    EXPECT_EQ(
+        read_message(),
+        path_.string() + ": is no checkpoint or is cut short, expected one that demrun wrote");
     {
         PendingFile pending(path_);
         JournaledFile disk(pending);
         Hdf5File(disk).close();
         pending.commit();
     }
-    EXPECT_EQ(read_message(), path_.string() + ": is not a checkpoint of demrun, or is cut short");
+    EXPECT_EQ(
+        read_message(),
+        path_.string() + ": is no checkpoint or is cut short, expected one that demrun wrote");
 }
 
 TEST_F(CheckpointFile, AFullDiskKeepsTheOneBefore) {

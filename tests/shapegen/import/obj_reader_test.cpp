@@ -82,7 +82,7 @@ TEST(ObjReader, WhatIsNotOBJIsRefusedWithItsLine) {
         {square + "f 1 2 3/1/1/1", "x:5: found '3/1/1/1', expected a corner"},
         {square + "f 1 2 3.5", "x:5: found '3.5', expected a corner"},
         {"call other.obj", "x:1: found 'call', expected one file"},
-        {"\xff\xfev\n", "x:1: found '??v', expected a statement"}};
+        {"\xff\xfev\n", "x:1: found '\\xff\\xfev', expected a statement"}};
     for (const auto& [text, expected] : cases)
         EXPECT_EQ(refusal_of(read_obj, text).rfind(expected, 0), 0U)
             << refusal_of(read_obj, text) << " where expected " << expected;
