@@ -111,7 +111,7 @@ void for_each_encounter(const Scene& scene, const Visit& visit) {
 
 /// All bodies as a bed on the ground that they have.
 struct Bed {
-    static constexpr double strongest_contact = 7.0;
+    static constexpr double strongest_contact = 12.0;
     double weight = 0.0;  ///< [N]
     double bodies = 0.0;
     double ground = 0.0;  ///< [m^2]
@@ -138,7 +138,7 @@ struct Bed {
 
     /// What the strongest contact at the bottom carries, as if nothing leaned on the walls: the
     /// pressure, at most that of a heap as wide as high, on a square of d_eq, times what it has
-    /// more than the mean (seven in a settled bed of 400 spheres) [N].
+    /// more than the mean (up to ten in a settling bed of 400 spheres) [N].
     double load(double radius) const {
         const double own_square = square(2.0 * radius);
         return std::min(strongest_contact, bodies) * weight * own_square /
