@@ -177,7 +177,7 @@ TimeStep time_step(const Scene& scene) {
             throw Error(scene.case_path,
                         "time step " + text(step.value) + " is above the critical time step " +
                             text(step.critical) +
-                            "; take less than a tenth of it, or set time_step_force = yes");
+                            ", expected a tenth of it at most, or time_step_force = yes");
         }
         return step;
     }

@@ -102,11 +102,15 @@ Region parse_region(std::string_view text) {
     const Vec3 second(v[3], v[4], v[5]);
     if (shape == "box") {
         if (!(first.array() < second.array()).all()) {
-            throw Error("the second corner of a box must be above the first in x, y and z");
+            throw Error(
+                "a second corner that is not above the first found, expected x, y and z above "
+                "those "
+                "of the first");
         }
         return BoxRegion{{first, second}};
     }
-    if (first == second) throw Error("the two ends of the cylinder's axis are the same point");
+    if (first == second)
+        throw Error("the same point found for both ends of the axis, expected a length");
     if (!(v[6] > 0.0)) throw Error("radius of the cylinder found <= 0, expected > 0");
     return CylinderRegion{first, second, v[6]};
 }
@@ -138,7 +142,8 @@ void Values::check_key(const CaseEntry& entry) const {
                         (elsewhere.empty() ? suggestion_or_all(entry.key, known) : elsewhere));
     }
     if (key->later == key->name) {
-        throw Error(entry.where, in_quotes(entry.key) + " is not in this version");
+        throw Error(entry.where,
+                    in_quotes(entry.key) + " is not in this version, expected no such key");
     }
     if (!applies(*key)) {
         const std::string_view control = split(key->when, '=')[0];

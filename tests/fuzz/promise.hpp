@@ -28,7 +28,7 @@ void check_line(std::string_view line);
 
 /// A message is such a line, begins with the place of what is wrong (one of `places`) and says what
 /// was expected.
-void check_message(std::string_view message, std::span<const std::string> places);
+void check_message(std::string_view thrown, std::span<const std::string> places);
 
 /// What stands in targets/NAME.cpp: reads a whole file and looks at all that it holds. Whether the
 /// bytes were accepted.
