@@ -5,7 +5,9 @@
 #include <cstring>
 #include <ctime>
 
+#include <fcntl.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace dem {
 
@@ -64,8 +66,16 @@ std::string signal_name(int signal) {
     return name == nullptr ? "signal " + std::to_string(signal) : std::string("SIG") + name;
 }
 
-void survive_file_size_limit() {
+void survive_failing_writes() {
     std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
+void open_standard_streams() {
+    int number = 0;
+    // The lowest number that is free is the next one given.
+    while (number >= 0 && number <= STDERR_FILENO) number = open("/dev/null", O_RDWR);
+    if (number > STDERR_FILENO) close(number);
 }
 
 }  // namespace dem

@@ -25,8 +25,12 @@ const volatile std::sig_atomic_t& stop_signal();
 /// "SIGTERM".
 std::string signal_name(int signal);
 
-/// From now on a write beyond the limit on file sizes fails with its reason, as on a full disk,
-/// instead of ending the program.
-void survive_file_size_limit();
+/// From now on a write beyond the limit on file sizes, or into a pipe that nobody reads any more,
+/// fails with its reason, as on a full disk, instead of ending the program.
+void survive_failing_writes();
+
+/// Opens standard input, output and error where whoever started the program closed them: the next
+/// files would take their numbers, and messages would be written into them.
+void open_standard_streams();
 
 }  // namespace dem

@@ -177,7 +177,7 @@ int run(const CommandLine& line) {
         return 0;
     }
     dem::note_stop_signals();
-    dem::survive_file_size_limit();
+    dem::survive_failing_writes();
     const std::string directory = scene.output.directory;
     dem::Progress progress(std::cerr, dem::Progress::stderr_style(line.quiet), "demrun",
                            scene.run.end_time);
@@ -230,6 +230,7 @@ int obey(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    dem::open_standard_streams();
     const int code = obey(argc, argv);
     // Whatever was written: who asked for the end must see that it came.
     if (dem::stop_signal() != 0) dem::end_by_signal(dem::stop_signal());

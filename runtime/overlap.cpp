@@ -35,6 +35,7 @@ bool is_linear(const Scene& scene, const Encounter& e) {
 
 /// With two digits, rounded up: "11 MPa", "1.2 GPa".
 std::string rounded_up(double value, const char* unit) {
+    value = std::clamp(value, 1e-30, 1e30);  // speeds without sense need no end of stiffness
     double digit = 1.0;
     while (value < 10.0 * digit) digit /= 10.0;
     while (value >= 100.0 * digit) digit *= 10.0;

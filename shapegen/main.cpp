@@ -43,8 +43,9 @@ void clean_up_when_interrupted() {
 }  // namespace
 
 int main(int argc, char** argv) {
+    dem::open_standard_streams();
     clean_up_when_interrupted();
-    dem::survive_file_size_limit();
+    dem::survive_failing_writes();
     try {
         const std::span<const char* const> arguments(argv, static_cast<std::size_t>(argc));
         dem::run_command(dem::parse_command_line(arguments), std::cout);

@@ -114,6 +114,11 @@ void describe(const TimeStep& step, const Scene& scene, std::ostringstream& out)
         return;
     }
     out << "the critical time " << step.critical << " s (" << origin(step, scene.walls) << ")\n";
+    if (step.value > 0.1 * step.critical) {
+        out << "warning: the time step is " << step.value / step.critical
+            << " of the critical time, expected a tenth of it at most: energies are off by "
+               "percents\n";
+    }
 }
 
 void describe(const RunCost& cost, int threads, std::ostringstream& out) {

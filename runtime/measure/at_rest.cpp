@@ -30,6 +30,10 @@ AtRest::AtRest(const Scene& scene)
     for (std::uint32_t k = 0; k < scene.kinds.size(); ++k) {
         largest_diameter_ = std::max(largest_diameter_, diameter(scene, k));
     }
+    for (const Wall& wall : scene.walls) {
+        if (wall.motion.kind == WallMotion::Kind::none) continue;
+        motions_begin_ = std::max(motions_begin_, wall.motion.from);
+    }
 }
 
 void AtRest::look_at_energies(const Simulation& simulation) {
@@ -73,7 +77,8 @@ void AtRest::look(const Simulation& simulation) {
                                                 : 0.0;
     next_look_ = time + hold / looks;
     look_at_energies(simulation);
-    const bool is_complete = std::isinf(simulation.inserter().next_time());
+    const bool is_complete =
+        std::isinf(simulation.inserter().next_time()) && time >= motions_begin_;
     const bool is_slow = is_complete && are_below(resting_energy, simulation);
     slow_since_ = is_slow ? std::min(slow_since_, time) : infinite;
     if (!is_complete || gravity_ == 0.0) {

@@ -7,7 +7,8 @@
 
 namespace dem {
 
-/// Decides when everything has come to rest: nothing is left to insert, and every body
+/// Decides when everything has come to rest: nothing is left to insert, every
+/// wall that is to move has begun, and every body
 /// - is slow: its kinetic energy has stayed below a millionth of m g d (of d: the diameter of the
 ///   sphere of equal volume; the speed of a fall through d/10^6) for the time sqrt(d/g) of the
 ///   largest body. At the top of its flight a body is that slow for less than a hundredth of this
@@ -44,6 +45,7 @@ class AtRest {
 
     std::vector<double> speed2_;     ///< twice the kinetic energy over the mass [m^2/s^2]
     double largest_diameter_ = 0.0;  ///< [m]
+    double motions_begin_ = 0.0;     ///< when the last wall begins to move [s]
     double gravity_;                 ///< [m/s^2]
     double largest_speed2_ = 0.0;    ///< [m^2/s^2]
     double slow_since_;              ///< [s]

@@ -138,6 +138,10 @@ Outputs::Outputs(const Scene& scene)
     remove_end(directory_);
     std::error_code ignored;
     std::filesystem::remove(checkpoint_path(scene), ignored);
+    if (scene.output.surfaces) return;
+    // Those of a run that is written over: they would lie beside frames of this one.
+    for (const char* name : {"surfaces.h5", "surfaces.xdmf"})
+        std::filesystem::remove(directory_ / name, ignored);
 }
 
 Outputs::Outputs(const Scene& scene, const OutputProgress& progress)

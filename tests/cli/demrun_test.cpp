@@ -277,6 +277,43 @@ TEST_F(Demrun, ResultsAreNotReplacedUnlessForced) {
     EXPECT_EQ(demrun(other + "--force --resume").code, 2);
 }
 
+TEST_F(Demrun, NothingOfARunThatIsWrittenOverStays) {
+    ASSERT_EQ(demrun("case.ini --quiet --set output.surfaces=yes").code, 0);
+    ASSERT_TRUE(fs::exists(folder_ / "case/surfaces.h5"));
+    ASSERT_EQ(demrun("case.ini --quiet --force").code, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "case/surfaces.h5"));
+    EXPECT_FALSE(fs::exists(folder_ / "case/surfaces.xdmf"));
+}
+
+TEST_F(Demrun, ClosedStandardStreamsAndBrokenPipesHarmNoFile) {
+    ASSERT_EQ(demrun("case.ini --quiet --out open").code, 0);
+    write("closed.sh", program("demrun") + " case.ini --out closed <&- >&- 2>&-\n" +
+                           program("demrun") + " case.ini --out pipe 2>&1 | true\n");
+    run_command("sh closed.sh", folder_);
+    for (const char* folder : {"closed", "pipe"}) {
+        for (const char* name : {"frames.h5", "history.csv", "final.csv", "checkpoint.h5"}) {
+            EXPECT_TRUE(content(folder_ / "open" / name) == content(folder_ / folder / name))
+                << folder << "/" << name;
+        }
+    }
+}
+
+TEST_F(Demrun, CheckWarnsOfACoarseTimeStep) {
+    EXPECT_EQ(demrun("case.ini --check").output.find("warning: the time step"), std::string::npos);
+    EXPECT_NE(demrun("case.ini --check --set run.time_step_divisor=5")
+                  .output.find(
+                      "warning: the time step is 0.2 of the critical time, expected a tenth of it"),
+              std::string::npos);
+}
+
+TEST_F(Demrun, NumbersWithoutSenseAreAnswered) {
+    const Outcome outcome = run_command(
+        "timeout 10 " + program("demrun") + " case.ini --check --set 'run.gravity=0 0 -1e160'",
+        folder_);
+    EXPECT_EQ(outcome.code, 1) << outcome.output;
+    EXPECT_NE(outcome.errors.find("expected at most 1e15"), std::string::npos) << outcome.errors;
+}
+
 TEST_F(Demrun, WhatKilledRunsHadBegunToWriteIsRemoved) {
     fs::create_directories(folder_ / "case");
     for (const char* name : {"checkpoint.h5.part-123-0", "final.csv.part-9-1", "my.part-123-0"}) {

@@ -76,6 +76,20 @@ TEST_F(Run, EndsAtRest) {
     EXPECT_LT(result.time, 1.0);
 }
 
+TEST_F(Run, IsNotAtRestBeforeItsWallsHaveBegunToMove) {
+    Scene scene = bouncing_sphere();
+    scene.run.end_time = 10.0;
+    scene.run.stop_at_rest = true;
+    scene.walls[0].motion.kind = WallMotion::Kind::translate;
+    scene.walls[0].motion.velocity = {0.0, 0.0, 1e-3};
+    scene.walls[0].motion.from = 1.5;
+    scene.walls[0].motion.until = 1.6;
+    const RunResult result = run(std::move(scene), {});
+    EXPECT_EQ(result.end, RunResult::End::at_rest);
+    EXPECT_GT(result.time, 1.5);
+    EXPECT_LT(result.time, 2.5);
+}
+
 TEST_F(Run, EndsWhereABodyRocksInPlaceUndamped) {
     Scene scene = scenes::one_material({2e6, 1250.0, 0.5, 0.4});
     scenes::add_kind(scene, scenes::candy(0));
