@@ -28,8 +28,57 @@ RegionFrame::Reach largest_reach(const Scene& scene, const InsertionGroup& group
     return largest;
 }
 
-[[noreturn]] void fail_too_small(const InsertionGroup& group, std::size_t placed, const Vec3& cells,
-                                 const Vec3& cell) {
+/// Rows of boxes that hold the largest body of a group however it is turned.
+struct Lattice {
+    const RegionFrame& frame;
+    Vec3 below;  ///< from the lower corner of a cell to the place of its body [m]
+    Vec3 cell;   ///< edges of what a body needs [m]
+    Vec3 pitch;  ///< from cell to cell, with room for shifts [m]
+
+    Lattice(const RegionFrame& region, const RegionFrame::Reach& reach, double jitter)
+        : frame(region),
+          below(reach.below),
+          cell(spacing_factor * (reach.below + reach.above)),
+          pitch((1.0 + jitter) * cell) {}
+
+    /// A region of exactly n diameters holds n: the spacing's excess is not the user's.
+    Vec3 cells() const { return (frame.size().cwiseQuotient(pitch).array() + 1e-5).floor(); }
+};
+
+std::vector<BodyPlacement> placements_on(const Lattice& lattice, const Scene& scene,
+                                         std::uint32_t group_index, const Occupancy& occupancy) {
+    const std::uint64_t count = scene.insertions[group_index].count;
+    const Vec3 room = lattice.pitch - lattice.cell;
+    const Vec3 cells = lattice.cells();
+    std::vector<BodyPlacement> placed;
+    for (double k = 0.0; k < cells.z(); ++k) {
+        for (double j = 0.0; j < cells.y(); ++j) {
+            for (double i = 0.0; i < cells.x(); ++i) {
+                if (placed.size() == count) return placed;
+                BodyDraw draw(scene, group_index, placed.size());
+                BodyPlacement body = draw.body();
+                const Vec3 corner = Vec3(i, j, k).cwiseProduct(lattice.pitch) + lattice.below;
+                Random& random = draw.random();
+                const Vec3 shift{random.uniform(), random.uniform(), random.uniform()};
+                const ParticleTemplate& shape = scene.shapes[scene.kinds[body.kind].shape];
+                const auto fits_at = [&](const Vec3& place) {
+                    body.position = lattice.frame.at(place);
+                    return lattice.frame.is_within_side(shape, body) && occupancy.is_free(body);
+                };
+                // A shift may lead out of a round side; the middle of the room comes next.
+                if (fits_at(corner + shift.cwiseProduct(room)) || fits_at(corner + 0.5 * room)) {
+                    placed.push_back(body);
+                }
+            }
+        }
+    }
+    return placed;
+}
+
+[[noreturn]] void fail_too_small(const InsertionGroup& group, std::size_t placed,
+                                 const Lattice& lattice) {
+    const Vec3 cells = lattice.cells();
+    const Vec3 cell = lattice.cell;
     std::ostringstream message;
     message << "the region of [particles." << group.name << "] holds " << placed << " of "
             << group.count << " bodies on a lattice of " << cells.x() << " x " << cells.y() << " x "
@@ -46,36 +95,16 @@ std::vector<BodyPlacement> lattice_placements(const Scene& scene, std::uint32_t 
     const InsertionGroup& group = scene.insertions[group_index];
     const RegionFrame frame(group.region);
     const RegionFrame::Reach reach = largest_reach(scene, group, frame);
-    const Vec3 cell = spacing_factor * (reach.below + reach.above);
-    // A region of exactly n diameters holds n: the spacing's excess is not the user's.
-    const Vec3 cells = (frame.size().cwiseQuotient(cell).array() + 1e-5).floor();
-    // The cells move apart to make room for the shifts, as far as the region lets them.
-    const Vec3 pitch = cell.cwiseMax(
-        Vec3((1.0 + group.jitter) * cell).cwiseMin(frame.size().cwiseQuotient(cells)));
-    std::vector<BodyPlacement> placed;
-    for (double k = 0.0; k < cells.z(); ++k) {
-        for (double j = 0.0; j < cells.y(); ++j) {
-            for (double i = 0.0; i < cells.x(); ++i) {
-                if (placed.size() == group.count) return placed;
-                BodyDraw draw(scene, group_index, placed.size());
-                BodyPlacement body = draw.body();
-                const Vec3 corner = Vec3(i, j, k).cwiseProduct(pitch) + reach.below;
-                Random& random = draw.random();
-                const Vec3 shift{random.uniform(), random.uniform(), random.uniform()};
-                const ParticleTemplate& shape = scene.shapes[scene.kinds[body.kind].shape];
-                const auto fits_at = [&](const Vec3& place) {
-                    body.position = frame.at(place);
-                    return frame.is_within_side(shape, body) && occupancy.is_free(body);
-                };
-                // A shift may lead out of a round side; the middle of the room comes next.
-                if (fits_at(corner + shift.cwiseProduct(pitch - cell)) ||
-                    fits_at(corner + 0.5 * (pitch - cell))) {
-                    placed.push_back(body);
-                }
-            }
-        }
-    }
-    if (placed.size() < group.count) fail_too_small(group, placed.size(), cells, cell);
+    const Lattice wide(frame, reach, group.jitter);
+    std::vector<BodyPlacement> placed = placements_on(wide, scene, group_index, occupancy);
+    if (placed.size() == group.count) return placed;
+    // As many rows as the region holds, moved apart as far as it lets them: not at all in one of
+    // exactly n diameters.
+    Lattice close(frame, reach, 0.0);
+    close.pitch =
+        close.cell.cwiseMax(wide.pitch.cwiseMin(frame.size().cwiseQuotient(close.cells())));
+    placed = placements_on(close, scene, group_index, occupancy);
+    if (placed.size() < group.count) fail_too_small(group, placed.size(), close);
     return placed;
 }
 

@@ -158,6 +158,19 @@ TEST(InsertLattice, JitterBreaksExactColumns) {
     EXPECT_EQ(shifted.position, inserted(lattice("0.05")).position);
 }
 
+TEST(InsertLattice, ATubeOfWholeDiametersHoldsNoExactColumnsWhereItsHeightAllows) {
+    const Scene scene =
+        scene_of(sphere_case(), "particles.balls.insert=lattice", "particles.balls.count=60",
+                 "particles.balls.region=cylinder 0 0 0 mm  0 0 400 mm  25 mm");
+    const Particles particles = inserted(scene);
+    EXPECT_GE(smallest_gap(scene, particles), 0.0);
+    for (std::uint32_t i = 0; i < 60; ++i) {
+        for (std::uint32_t j = 0; j < i; ++j) {
+            EXPECT_GT((particles.position[i] - particles.position[j]).head<2>().norm(), 1e-7);
+        }
+    }
+}
+
 TEST(InsertFill, FiveHundredSpheresFillATubeToAHalfWithoutAnOverlap) {
     const Scene scene =
         scene_of(sphere_case(), "particles.balls.insert=fill", "particles.balls.count=500",
