@@ -60,9 +60,10 @@ std::optional<std::string> unquoted_override(const std::vector<std::string>& wor
         const std::string& next = words[k + 1];
         if (!is_override || next.starts_with("--") || next.ends_with(".ini")) continue;
         const std::string value = words[k].substr(words[k].starts_with("--set=") ? 6 : 0);
+        std::string whole = value;
+        whole.append(" ").append(next);
         return dem::in_quotes(next) + " found after " + dem::in_quotes(value) +
-               ", expected quotes around a value with blanks: --set " +
-               dem::in_quotes(value + " " + next);
+               ", expected quotes around a value with blanks: --set " + dem::in_quotes(whole);
     }
     return std::nullopt;
 }
