@@ -24,8 +24,8 @@ bool has_creases(Kind i, Kind j) {
     };
     if (j == Kind::rod) return i == Kind::sharp || i == Kind::nodes || is_angular(i);
     if (i == Kind::smooth && is_wall(j)) return true;
-    if (i == Kind::nodes || j == Kind::nodes) return i == j || is_angular(i) || is_angular(j);
-    return is_angular(i) || is_angular(j);
+    if (i == Kind::nodes) return j == Kind::nodes || is_angular(j);
+    return is_angular(i) && is_angular(j);
 }
 
 struct Bounds {
