@@ -135,6 +135,7 @@ Outputs::Outputs(const Scene& scene)
       frame_cadence_(progress_.frames_every),
       row_cadence_(progress_.history_every),
       measure_cadences_(measure_cadences(scene, progress_)) {
+    progress_.rows_hash = history_.hash();
     remove_end(directory_);
     std::error_code ignored;
     std::filesystem::remove(checkpoint_path(scene), ignored);
