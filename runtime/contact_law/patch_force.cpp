@@ -174,34 +174,55 @@ struct PatchCall {
     double radius, local_radius;
 };
 
-/// By how much the points in slots stand for all, whose elastic parts sum up to `elastic_part`.
+/// The elastic parts of the forces of some points, and where they act.
+struct Load {
+    double force = 0.0;          ///< [N]
+    Vec3 moment = Vec3::Zero();  ///< of places relative to the centre of i [N m]
+
+    void add(double elastic_part, const Vec3& place) {
+        force += elastic_part;
+        moment += elastic_part * place;
+    }
+};
+
+/// How the points in slots stand for all.
+struct StandIn {
+    double scale = 1.0;         ///< of their friction
+    Vec3 shift = Vec3::Zero();  ///< from where they carry the load to where all do [m]
+};
+
 template <class Patch>
-double slot_scale(const Patch& patch, const PatchCall& call, const PatchSlots& chosen,
-                  double elastic_part) {
-    if (chosen.count == call.points.size()) return 1.0;
-    double held = 0.0;
-    for (std::size_t k = 0; k < chosen.count; ++k)
-        held += patch.share(call.points[chosen.point[k]], call.dt).elastic_part;
-    return held > 0.0 ? elastic_part / held : 1.0;
+StandIn stand_in(const Patch& patch, const PatchCall& call, const PatchSlots& chosen,
+                 const Load& load) {
+    if (chosen.count == call.points.size()) return {};
+    Load held;
+    for (std::size_t k = 0; k < chosen.count; ++k) {
+        const ContactPoint& p = call.points[chosen.point[k]];
+        held.add(patch.share(p, call.dt).elastic_part, p.position);
+    }
+    if (!(held.force > 0.0)) return {};
+    return {load.force / held.force, load.moment / load.force - held.moment / held.force};
 }
 
 /// Adds the friction of the points in slots.
 template <class Patch>
-void add_friction(const Patch& patch, const PatchCall& call, double elastic_part,
+void add_friction(const Patch& patch, const PatchCall& call, const Load& load,
                   PairContact& contact) {
     const PatchSlots chosen = choose_slots(call.points, call.history);
-    const double scale = slot_scale(patch, call, chosen, elastic_part);
+    const auto [scale, shift] = stand_in(patch, call, chosen, load);
     const double dt = call.dt;
     const Vec3 mean_spin = 0.5 * (call.pair.i.angular_velocity + call.pair.j.angular_velocity);
     for (std::size_t k = 0; k < chosen.count; ++k) {
         const ContactPoint& p = call.points[chosen.point[k]];
+        const Vec3 place = p.position + shift;
         const Share s = patch.share(p, dt);
         const Vec3 n = p.gradient.normalized();
         PatchHistory::Slot& slot = call.history.slots[k];
         Vec3 spring = Vec3::Zero();
         if (chosen.known[k])
             spring = hertz::carried(slot.spring, slot.normal, n, mean_spin.dot(n) * dt);
-        const Vec3 u_t = s.velocity - s.velocity.dot(n) * n;
+        const Vec3 velocity = relative_velocity(call.pair, place);
+        const Vec3 u_t = velocity - velocity.dot(n) * n;
         const double k_t = scale * s.k_t;
         contact.dissipated_energy += hertz::restiffen(
             slot.stiffness, k_t, call.history.dissipated + contact.dissipated_energy, spring);
@@ -210,7 +231,7 @@ void add_friction(const Patch& patch, const PatchCall& call, double elastic_part
         const hertz::TangentialForce t =
             hertz::tangential_force(k_t, scale * s.gamma_t, limit, u_t, dt, spring);
         slot = {p.feature, n, spring, k_t};
-        add_force(contact, t.force, p.position, call.pair);
+        add_force(contact, t.force, place, call.pair);
         contact.elastic_energy += t.elastic;
         contact.dissipated_energy += t.dissipated;
     }
@@ -221,17 +242,17 @@ template <class Patch>
 PairContact patch_force(const PatchCall& call) {
     const Patch patch(call.points, call.pair, call.law, call.radius);
     PairContact contact;
-    double elastic_part = 0.0;
+    Load load;
     for (const ContactPoint& p : call.points) {
         const Share s = patch.share(p, call.dt);
         add_force(contact, s.force * p.gradient, p.position, call.pair);
-        elastic_part += s.elastic_part;
+        load.add(s.elastic_part, p.position);
         contact.elastic_energy += s.elastic;
         contact.dissipated_energy += s.dissipated;
     }
     contact.elastic_energy += patch.elastic();
     const double normal_elastic = contact.elastic_energy;
-    if (call.law.friction > 0.0) add_friction(patch, call, elastic_part, contact);
+    if (call.law.friction > 0.0) add_friction(patch, call, load, contact);
     contact.overlap = patch.overlap();
     contact.points = static_cast<std::uint32_t>(call.points.size());
     call.history.dissipated += contact.dissipated_energy;

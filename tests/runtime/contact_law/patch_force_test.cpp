@@ -4,6 +4,7 @@
 #include "runtime/contact_law/pair_law.hpp"
 #include "runtime/contact_law/patch_slots.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <set>
 
@@ -151,6 +152,39 @@ TEST(PatchForce, FrictionOfManyPointsIsCutAtTheElasticPartOfTheirForces) {
             EXPECT_LT(damped.z(), 0.5 * elastic.z());
             EXPECT_NEAR(-damped.x(), 0.3 * elastic.z(), 1e-9 * elastic.z()) << count;
         }
+    }
+}
+
+// Eight springs stand for all: they must not turn the body because of where they happen to lie.
+TEST(PatchForce, FrictionOfManyPointsActsWhereTheirLoadDoes) {
+    PairState pair = moving_pair(9);
+    pair.i.velocity = {0.05, 0.02, 0.0};
+    pair.j.velocity = Vec3::Zero();
+    pair.i.angular_velocity = pair.j.angular_velocity = Vec3::Zero();
+    using Multi = ContactLaw::MultiContact;
+    for (const Multi mode : {Multi::norm, Multi::sum}) {
+        ContactLaw law = rough_law();
+        law.multi_contact = mode;
+        std::vector<ContactPoint> points = points_near_the_middle(60, 10);
+        std::sort(points.begin(), points.end(), [](const ContactPoint& a, const ContactPoint& b) {
+            return a.position.x() < b.position.x();
+        });
+        Vec3 center = Vec3::Zero();
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            points[k].gradient = -Vec3::UnitZ();
+            points[k].overlap = 1e-5;
+            points[k].feature = k;
+            center += points[k].position / static_cast<double>(points.size());
+        }
+        PatchHistory history;  // held by the eight at one end
+        contact_force(std::span(points).first(8), 2e-3, pair, law, 1e-6, history);
+        PairContact c;
+        for (int step = 0; step < 200; ++step)
+            c = contact_force(points, 2e-3, pair, law, 1e-6, history);  // until all slide
+        const Vec3 turn = c.torque_i - center.cross(c.force);
+        EXPECT_LT(std::abs(turn.z()), 1e-12 * c.force.norm());
+        EXPECT_NEAR(c.force.head<2>().norm(), law.friction * std::abs(c.force.z()),
+                    1e-9 * c.force.norm());
     }
 }
 
