@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -22,5 +23,9 @@ NumberAhead number_ahead(std::string_view text);
 
 /// The finite number that a text is; none: it is something else.
 std::optional<double> finite_number(std::string_view text);
+
+/// The whole number that a text is, exactly: "1000", "1e3", "1.5e3" or "1000.0"; none: it is
+/// something else, negative or 2^64 and more.
+std::optional<std::uint64_t> whole_number(std::string_view text);
 
 }  // namespace dem

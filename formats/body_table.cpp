@@ -10,7 +10,6 @@
 #include "formats/number_text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace dem {
@@ -68,12 +67,10 @@ std::vector<Column> parse_header(const std::vector<std::string>& fields, const s
     return columns;
 }
 
-std::uint64_t whole_number(const std::string& field) {
-    std::uint64_t value = 0;
-    const char* end = field.data() + field.size();
-    const auto result = std::from_chars(field.data(), end, value);
-    if (result.ec == std::errc() && result.ptr == end) return value;
-    throw Error(in_quotes(field) + " found, expected a whole number");
+std::uint64_t count(const std::string& field) {
+    const auto value = whole_number(field);
+    if (!value) throw Error(in_quotes(field) + " found, expected a whole number");
+    return *value;
 }
 
 double number(const std::string& field) {
@@ -85,7 +82,7 @@ double number(const std::string& field) {
 void assign(BodyRow& body, Column column, const std::string& field) {
     switch (column) {
         case id:
-            body.id = whole_number(field);
+            body.id = count(field);
             return;
         case template_name:
             body.template_name = field;

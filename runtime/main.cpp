@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/error.hpp"
+#include "common/number.hpp"
 #include "common/signals.hpp"
 #include "common/text.hpp"
 #include "common/threads/thread_team.hpp"
@@ -37,7 +38,7 @@ po::options_description options() {
     auto add = visible.add_options();
     add("out", po::value<std::string>()->value_name("DIR"),
         "folder for the results (default: the case's name)");
-    add("threads", po::value<int>()->value_name("N"),
+    add("threads", po::value<std::string>()->value_name("N"),
         "at most so many; 0: every core; never changes a result");
     add("set", po::value<std::vector<std::string>>()->value_name("SECTION.KEY=VALUE"),
         "set a value over the case file; may be repeated, the last one counts");
@@ -92,6 +93,13 @@ po::variables_map parse(int argc, char** argv) {
     return values;
 }
 
+int threads(const std::string& words) {
+    const auto number = dem::whole_number(words);
+    if (number && *number <= 4096) return static_cast<int>(*number);
+    throw dem::UsageError("--threads " + dem::in_quotes(words) +
+                          " found, expected a whole number from 0 to 4096");
+}
+
 CommandLine command_line(const po::variables_map& values) {
     CommandLine line;
     if (values.count("case") == 0) throw dem::UsageError("no case file given, expected case.ini");
@@ -100,11 +108,7 @@ CommandLine command_line(const po::variables_map& values) {
     if (values.count("out") != 0 && line.directory->empty()) {
         throw dem::UsageError("--out: nothing found, expected a folder");
     }
-    if (values.count("threads") != 0) line.threads = values["threads"].as<int>();
-    if (line.threads && (*line.threads < 0 || *line.threads > 4096)) {
-        throw dem::UsageError("--threads " + std::to_string(*line.threads) +
-                              " found, expected 0 to 4096");
-    }
+    if (values.count("threads") != 0) line.threads = threads(values["threads"].as<std::string>());
     if (values.count("set") != 0) line.overrides = values["set"].as<std::vector<std::string>>();
     line.resume = values.count("resume") != 0;
     line.force = values.count("force") != 0;

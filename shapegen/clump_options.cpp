@@ -107,7 +107,7 @@ ClumpRequest read_request(const po::variables_map& values) {
 po::options_description clump_options() {
     po::options_description options("Clumps of spheres (docs/clumps.md)");
     options.add_options()("clump", text("C"), "spheres that cover this much of the volume: 0.95")(
-        "clump-spheres", po::value<std::int64_t>()->value_name("N"), "this many spheres")(
+        "clump-spheres", text("N"), "this many spheres")(
         "clump-error", text("E%"),
         "as few spheres as keep the RMS deviation of the surface below E % of the equivalent "
         "diameter d_eq")("inscribed", "no sphere leaves the body: leaves out the fit")(
@@ -116,7 +116,7 @@ po::options_description clump_options() {
         "min-radius", text("R"), "no smaller spheres: '0.2 mm', or '2%' of d_eq")(
         "skeleton", text("KIND")->default_value("surface"),
         "surface, or curve for long thin bodies: where spheres are sought first")(
-        "resolution", po::value<std::int64_t>()->value_name("N"),
+        "resolution", text("N"),
         "voxels per d_eq for the skeleton; default: 60, for a --clump of 0.9 or more 100, which is "
         "good for more than a few hundred spheres in the other modes, too")(
         "convergence", text("FILE"),

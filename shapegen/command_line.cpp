@@ -24,7 +24,7 @@ using Words = std::vector<std::string>;
 
 po::options_description common_options() {
     po::options_description options("Everywhere");
-    options.add_options()("threads", po::value<std::int64_t>()->default_value(0)->value_name("N"),
+    options.add_options()("threads", text("N")->default_value("0"),
                           "at most so many; 0: one per core; never changes a result")(
         "help,h", "print this and stop")("version", "print the version and stop");
     return options;
@@ -43,12 +43,12 @@ po::options_description sr_options() {
     po::options_description options("Surfaces of revolution (docs/profile-file.md)");
     options.add_options()("sr", "as a surface of revolution: the default for a profile")(
         "sphere", "as an exact sphere; the profile must be one")(
-        "nodes", po::value<std::int64_t>()->default_value(2000)->value_name("N"), "surface nodes")(
-        "base-cells", po::value<std::int64_t>()->default_value(50)->value_name("N"),
+        "nodes", text("N")->default_value("2000"), "surface nodes")(
+        "base-cells", text("N")->default_value("50"),
         "distance-field cells per major axis: everywhere")(
-        "interface-cells", po::value<std::int64_t>()->default_value(200)->value_name("N"),
+        "interface-cells", text("N")->default_value("200"),
         "... near the surface; a power of two times the base cells")(
-        "corner-cells", po::value<std::int64_t>()->default_value(800)->value_name("N"),
+        "corner-cells", text("N")->default_value("800"),
         "... at sharp edges; a power of two times the interface cells");
     return options;
 }
@@ -163,12 +163,7 @@ std::string one_input(const po::variables_map& values, const std::string& expect
 
 std::uint32_t number(const po::variables_map& values, const std::string& option,
                      std::uint32_t least, std::uint32_t most) {
-    const auto found = values[option].as<std::int64_t>();
-    if (found < least || found > most) {
-        throw UsageError("--" + option, "found " + std::to_string(found) + ", expected " +
-                                            std::to_string(least) + " to " + std::to_string(most));
-    }
-    return static_cast<std::uint32_t>(found);
+    return static_cast<std::uint32_t>(whole_number(values, option, least, most));
 }
 
 int threads(const po::variables_map& values) {

@@ -50,8 +50,7 @@ po::options_description convex_options() {
     options.add_options()("convex",
                           "the hull of a mesh, or a profile that is a sphere, spheroid, cylinder, "
                           "cone or spherocylinder; not needed for a .convex file")(
-        "vertices", po::value<std::int64_t>()->value_name("N"),
-        "of a mesh's hull keep N vertices, those that matter most")(
+        "vertices", text("N"), "of a mesh's hull keep N vertices, those that matter most")(
         "keep-volume",
         "scale what the hull, --vertices and the rounding leave to the volume of the "
         "mesh")("rounding", text("R"),
@@ -61,9 +60,8 @@ po::options_description convex_options() {
 
 po::options_description generate_options() {
     po::options_description options("Generating");
-    options.add_options()("count", po::value<std::int64_t>()->value_name("N"),
-                          "how many shapes, no two alike")(
-        "seed", po::value<std::int64_t>()->default_value(1)->value_name("S"),
+    options.add_options()("count", text("N"), "how many shapes, no two alike")(
+        "seed", text("S")->default_value("1"),
         "another seed, other shapes; a longer library begins with the shapes of a shorter one")(
         "template", text("BASE"), "sand: corners on a sphere (default) or an ellipsoid")(
         "size", text("D"),

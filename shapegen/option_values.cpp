@@ -41,11 +41,15 @@ double fraction_option(const po::variables_map& values, const std::string& optio
 
 std::int64_t whole_number(const po::variables_map& values, const std::string& option,
                           std::int64_t least, std::int64_t most) {
-    const auto found = values[option].as<std::int64_t>();
-    if (found < least || found > most)
-        throw UsageError("--" + option, "found " + std::to_string(found) + ", expected " +
+    const auto words = values[option].as<std::string>();
+    const auto found = dem::whole_number(words);
+    if (!found || *found < static_cast<std::uint64_t>(least) ||
+        *found > static_cast<std::uint64_t>(most))
+        throw UsageError("--" + option, "found " + in_quotes(words) +
+                                            ", expected a whole number "
+                                            "from " +
                                             std::to_string(least) + " to " + std::to_string(most));
-    return found;
+    return static_cast<std::int64_t>(*found);
 }
 
 double length_unit_option(const po::variables_map& values, const std::string& option) {

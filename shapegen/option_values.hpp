@@ -23,7 +23,8 @@ double fraction_option(const boost::program_options::variables_map& values,
                        const std::string& option, double above, double below,
                        const std::string& expected);
 
-/// The value of a whole-number option. Throws UsageError where it is out of range.
+/// The value of a whole-number option (common/number.hpp) between limits that are not negative.
+/// Throws UsageError where it is none or out of range.
 std::int64_t whole_number(const boost::program_options::variables_map& values,
                           const std::string& option, std::int64_t least, std::int64_t most);
 

@@ -8,7 +8,6 @@
 #include "runtime/domain.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace dem {
@@ -232,14 +231,13 @@ std::optional<double> Values::optional_number(std::string_view key) const {
 
 std::uint64_t Values::count(std::string_view key) const {
     const std::string value = text(key);
-    std::uint64_t n = 0;
-    const auto [end, failure] = std::from_chars(value.data(), value.data() + value.size(), n);
-    if (failure != std::errc() || end != value.data() + value.size()) {
+    const auto n = whole_number(value);
+    if (!n) {
         throw Error(where(key), in_quotes(value) + " found, expected a whole number " +
                                     range_text(key_of(key).range));
     }
-    check_range(key_of(key), static_cast<double>(n));
-    return n;
+    check_range(key_of(key), static_cast<double>(*n));
+    return *n;
 }
 
 bool Values::yes_no(std::string_view key) const {

@@ -209,9 +209,10 @@ TEST_F(ShapegenCli, RefusesAWrongCommandLineWithCodeTwo) {
     expect_failure(run("a.profile --node 10"), 2, "did you mean '--nodes'?");
     expect_failure(run("a.profile b.profile"), 2, "second input 'b.profile'");
     expect_failure(run("a.profile --nodes many"), 2, "many");
-    expect_failure(run("a.profile --nodes -5"), 2, "--nodes: found -5, expected 100 to");
-    expect_failure(run("a.profile --base-cells 0"), 2, "found 0");
-    expect_failure(run("a.profile --nodes 5"), 2, "expected 100 to");
+    expect_failure(run("a.profile --nodes -5"), 2,
+                   "--nodes: found '-5', expected a whole number from");
+    expect_failure(run("a.profile --base-cells 0"), 2, "found '0'");
+    expect_failure(run("a.profile --nodes 5"), 2, "from 100 to");
     expect_failure(run("a.profile --interface-cells 150"), 2, "power of two");
     expect_failure(run("a.profile --sr --sphere"), 2, "one of them");
     expect_failure(run("export a.tpl"), 2, "-o");

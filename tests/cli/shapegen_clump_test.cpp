@@ -238,8 +238,9 @@ TEST_F(ShapegenClump, RefusesAWrongCommandLine) {
     write("box.off", box());
     for (const char* value : {"1.5", "1", "0", "-0.5", "much", "101%", "nan"})
         expect_failure("box.off --clump " + std::string(value), 2, "above 0 and below 1");
-    expect_failure("box.off --clump-spheres 0", 2, "found 0, expected 1 to 65535");
-    expect_failure("box.off --clump-spheres 65536", 2, "expected 1 to 65535");
+    expect_failure("box.off --clump-spheres 0", 2,
+                   "found '0', expected a whole number from 1 to 65535");
+    expect_failure("box.off --clump-spheres 65536", 2, "from 1 to 65535");
     expect_failure("box.off --clump-error 0%", 2, "RMS deviation above 0");
     expect_failure("box.off --clump-error 0.5", 2, "'0.5', expected an RMS deviation above 0%");
     expect_failure("box.off --clump 0.9 --clump-spheres 5", 2, "expected one of them");
@@ -251,7 +252,7 @@ TEST_F(ShapegenClump, RefusesAWrongCommandLine) {
     expect_failure("box.off --clump 0.9 --min-radius 3", 2, "a length with its unit");
     expect_failure("box.off --clump 0.9 --min-radius '3 kg'", 2, "kg");
     expect_failure("box.off --clump 0.9 --skeleton surfaces", 2, "surface or curve");
-    expect_failure("box.off --clump 0.9 --resolution 5", 2, "expected 10 to 500");
+    expect_failure("box.off --clump 0.9 --resolution 5", 2, "from 10 to 500");
     expect_failure("box.off --clump 0.9 --unit parsec", 2, "parsec");
     expect_failure("box.off --clump 0.9 --scale 0", 2, "a number above 0");
     expect_failure("box.off --clump 0.9 --repair-limit 2", 2, "below 1");

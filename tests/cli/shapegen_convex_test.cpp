@@ -199,7 +199,7 @@ TEST_F(ShapegenConvex, RefusesAWrongCommandLine) {
     expect_failure("ball.off --keep-volume", 2, "without --convex");
     expect_failure("ball.convex --keep-volume", 2, "expected it with a mesh");
     expect_failure("ball.off --convex --clump 0.9", 2, "expected one of them");
-    expect_failure("ball.off --convex --vertices 3", 2, "expected 4 to");
+    expect_failure("ball.off --convex --vertices 3", 2, "from 4 to");
     expect_failure("ball.off --convex --rounding 0.1", 2, "a length with its unit");
     expect_failure("ball.off --convex --rounding ' -1%'", 2, "zero or more");
     expect_failure("ball.off --convex --nodes 500", 2, "with --sr only");
@@ -210,8 +210,8 @@ TEST_F(ShapegenConvex, RefusesAWrongCommandLine) {
     expect_failure("generate", 2, "sand or woodchips");
     expect_failure("generate gravel --count 3", 2, "expected sand or woodchips");
     expect_failure("generate sand", 2, "found no --count");
-    expect_failure("generate sand --count 0", 2, "found 0, expected 1 to");
-    expect_failure("generate sand --count 3 --seed -1", 2, "found -1");
+    expect_failure("generate sand --count 0", 2, "found '0', expected a whole number from 1 to");
+    expect_failure("generate sand --count 3 --seed -1", 2, "found '-1'");
     expect_failure("generate sand --count 3 --template cube", 2, "sphere or ellipsoid");
     expect_failure("generate woodchips --count 3 --template sphere", 2, "with sand");
     expect_failure("generate sand --count 3 --size 5", 2, "a length with its unit");
