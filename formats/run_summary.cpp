@@ -5,6 +5,7 @@
 
 #include <cinttypes>
 #include <cstdio>
+#include <fstream>
 
 #include <nlohmann/json.hpp>
 
@@ -50,6 +51,18 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
                        {"inputs", inputs},
                        {"versions", {{"shapedem", DEM_VERSION}, {"compiler", __VERSION__}}}};
     write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+bool tells_of(const std::filesystem::path& path, const RunSummary& summary) {
+    std::ifstream in(path);
+    const auto json = nlohmann::json::parse(in, nullptr, false);
+    if (!json.is_object()) return false;
+    const auto says = [&](const char* key, const std::string& value) {
+        const auto entry = json.find(key);
+        return entry != json.end() && *entry == value;
+    };
+    return says("end", summary.end) && says("reason", summary.reason) &&
+           says("state_hash", hexadecimal(summary.state_hash));
 }
 
 }  // namespace dem

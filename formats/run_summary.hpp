@@ -13,7 +13,7 @@ namespace dem {
 struct RunSummary {
     std::string case_path;
     std::string end;     ///< "end_time", "at_rest", "interrupted", "failed"
-    std::string reason;  ///< of an interruption or a failure, else ""
+    std::string reason;  ///< of an interruption or a failure, bodies without room among them
     std::uint64_t steps = 0;
     double time = 0.0;       ///< simulated [s]
     double time_step = 0.0;  ///< [s]
@@ -34,5 +34,8 @@ struct RunSummary {
 
 /// Writes summary.json, whole or not at all. A value that is not finite becomes null.
 void write_summary(const std::filesystem::path& path, const RunSummary& summary);
+
+/// Whether summary.json tells of the end, with its reason, and the state that `summary` has.
+bool tells_of(const std::filesystem::path& path, const RunSummary& summary);
 
 }  // namespace dem

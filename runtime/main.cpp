@@ -137,6 +137,12 @@ void report(const dem::RunResult& result, const std::string& directory) {
         std::cerr << "demrun: interrupted at " << result.time
                   << " s; what was computed is kept, --resume goes on from here\n";
     }
+    if (result.was_finished) {
+        std::cout << directory << ": the run is finished, " << result.particles
+                  << " particles after " << result.steps << " steps at " << result.time
+                  << " s; its files stay as they are\n";
+        return;
+    }
     std::cout << result.particles << " particles, " << result.steps << " steps to " << result.time
               << " s in " << dem::format_duration(result.wall_time) << " ("
               << result.microseconds_per_particle_step << " us per particle and step)\nresults in "
@@ -157,15 +163,13 @@ bool report_missing(const dem::RunResult& result) {
     for (const dem::MissingBodies& group : result.missing) {
         if (is_interrupted && group.crowded_out == 0) continue;
         const bool is_error = !is_interrupted && group.crowded_out > 0;
-        std::cerr << "demrun: " << (is_error ? "error: " : "warning: ") << group.where
-                  << ": [particles." << group.group << "]: " << group.placed << " of "
-                  << group.count << " bodies were placed, ";
+        std::cerr << "demrun: " << (is_error ? "error: " : "warning: ");
         if (group.crowded_out > 0) {
-            std::cerr << group.crowded_out
-                      << " more found their region occupied when they were due, expected a larger "
-                         "region or longer times between the batches\n";
+            std::cerr << dem::crowding(group) << "\n";
         } else {
-            std::cerr << "the others were not due by " << result.time << " s\n";
+            std::cerr << group.where << ": [particles." << group.group << "]: " << group.placed
+                      << " of " << group.count << " bodies were placed, the others were not due by "
+                      << result.time << " s\n";
         }
         failed = failed || is_error;
     }

@@ -68,13 +68,6 @@ void require_checkpoint(const Scene& scene) {
     throw Error(path.string(), "not found, expected the checkpoint of a run to resume");
 }
 
-Outputs begun_outputs(bool resume, Simulation& simulation, AtRest& at_rest) {
-    const Scene& scene = simulation.scene();
-    if (!resume) return Outputs(scene);
-    const OutputProgress progress = load_checkpoint(checkpoint_path(scene), simulation, at_rest);
-    return {scene, progress};
-}
-
 void make_checkpoint(RunParts& run) {
     const Stopwatch watch(run.checkpoint_time);
     run.outputs.sync();
@@ -99,13 +92,19 @@ class CheckpointClock {
 };
 
 /// Why the run ends with the present state, if it does.
-std::optional<RunResult::End> end_of_run(const RunParts& run, const RunOptions& options,
-                                         std::uint64_t last_step) {
+std::optional<RunResult::End> end_of_run(const Simulation& simulation, const AtRest& at_rest,
+                                         const RunOptions& options, std::uint64_t last_step) {
     using End = RunResult::End;
-    if (run.at_rest.was_reached() && run.simulation->scene().run.stop_at_rest) return End::at_rest;
+    if (at_rest.was_reached() && simulation.scene().run.stop_at_rest) return End::at_rest;
     if (options.stop_signal != nullptr && *options.stop_signal != 0) return End::interrupted;
-    if (run.simulation->steps() >= last_step) return End::end_time;
+    if (simulation.steps() >= last_step) return End::end_time;
     return std::nullopt;
+}
+
+std::string reason_of(RunResult::End end, const AtRest& at_rest, const RunOptions& options) {
+    if (end == RunResult::End::at_rest && at_rest.has_rocking()) return "bodies rock in place";
+    if (end == RunResult::End::interrupted) return signal_name(*options.stop_signal);
+    return "";
 }
 
 /// Steps until something ends the run. The last state is left to Outputs::finish.
@@ -116,7 +115,7 @@ void run_steps(RunParts& run, const RunOptions& options, std::uint64_t last_step
     const bool stop_at_rest = simulation.scene().run.stop_at_rest;
     CheckpointClock checkpoints(simulation.scene().output.checkpoint_every);
     std::optional<RunResult::End> end;
-    while (!(end = end_of_run(run, options, last_step))) {
+    while (!(end = end_of_run(simulation, run.at_rest, options, last_step))) {
         const double now = Progress::steady_seconds();
         if (checkpoints.is_due(now)) {
             make_checkpoint(run);
@@ -131,10 +130,7 @@ void run_steps(RunParts& run, const RunOptions& options, std::uint64_t last_step
         report(options, simulation);
     }
     result.end = *end;
-    if (*end == RunResult::End::at_rest && run.at_rest.has_rocking()) {
-        result.reason = "bodies rock in place";
-    }
-    if (*end == RunResult::End::interrupted) result.reason = signal_name(*options.stop_signal);
+    result.reason = reason_of(*end, run.at_rest, options);
 }
 
 /// Steps until something ends the run. What fails is returned, and a step that failed taken back.
@@ -154,25 +150,57 @@ std::exception_ptr run_to_end(RunParts& run, const RunOptions& options, std::uin
     }
 }
 
-void describe_end(const RunParts& run, RunResult& result) {
-    const Simulation& simulation = *run.simulation;
-    result.measure_time = run.outputs.measure_time();
-    result.output_time = run.outputs.output_time() + run.checkpoint_time;
+/// The last state. A run that came to its end without some of its bodies has failed.
+void describe_state(const Simulation& simulation, RunResult& result) {
     result.steps = simulation.steps();
     result.particles = simulation.particles().size();
     result.time = simulation.time();
     result.time_step = simulation.time_step();
-    if (result.particle_steps > 0) {
-        const double step_time = result.wall_time - result.measure_time - result.output_time;
-        result.microseconds_per_particle_step =
-            1e6 * step_time / static_cast<double>(result.particle_steps);
-    }
     result.core_overlaps = simulation.core_overlaps();
     result.state_hash = simulation.state_hash();
     result.missing = missing_bodies(simulation);
+    if (result.end != RunResult::End::end_time && result.end != RunResult::End::at_rest) return;
+    std::string crowded;
+    for (const MissingBodies& group : result.missing) {
+        if (group.crowded_out > 0) crowded += (crowded.empty() ? "" : "; ") + crowding(group);
+    }
+    if (crowded.empty()) return;
+    result.end = RunResult::End::failed;
+    result.reason = crowded;
+}
+
+void describe_times(const RunParts& run, RunResult& result) {
+    result.measure_time = run.outputs.measure_time();
+    result.output_time = run.outputs.output_time() + run.checkpoint_time;
+    if (result.particle_steps == 0) return;
+    const double step_time = result.wall_time - result.measure_time - result.output_time;
+    result.microseconds_per_particle_step =
+        1e6 * step_time / static_cast<double>(result.particle_steps);
+}
+
+/// The result of a resumed run that has nothing left to do, if its files say so, too.
+std::optional<RunResult> finished_run(const Simulation& simulation, const AtRest& at_rest,
+                                      const RunOptions& options, std::uint64_t last_step) {
+    const auto end = end_of_run(simulation, at_rest, options, last_step);
+    if (!end || *end == RunResult::End::interrupted) return std::nullopt;
+    RunResult result;
+    result.end = *end;
+    result.reason = reason_of(*end, at_rest, options);
+    describe_state(simulation, result);
+    if (!holds_end(simulation.scene(), result)) return std::nullopt;
+    result.was_finished = true;
+    return result;
 }
 
 }  // namespace
+
+std::string crowding(const MissingBodies& group) {
+    return group.where + ": [particles." + group.group + "]: " + std::to_string(group.placed) +
+           " of " + std::to_string(group.count) + " bodies were placed, " +
+           std::to_string(group.crowded_out) +
+           " more found their region occupied when they were due, expected a larger region or "
+           "longer times between the batches";
+}
 
 double check_resume(Scene scene) {
     require_checkpoint(scene);
@@ -193,7 +221,14 @@ RunResult run(Scene scene, const RunOptions& options) {
     remove_remains(folder);
     auto simulation = std::make_unique<Simulation>(std::move(scene), dt);
     AtRest at_rest(simulation->scene());
-    Outputs outputs = begun_outputs(options.resume, *simulation, at_rest);
+    std::optional<OutputProgress> progress;
+    if (options.resume) {
+        progress = load_checkpoint(checkpoint_path(simulation->scene()), *simulation, at_rest);
+        const auto finished = finished_run(*simulation, at_rest, options, last_step);
+        if (finished) return *finished;
+    }
+    Outputs outputs =
+        progress ? Outputs(simulation->scene(), *progress) : Outputs(simulation->scene());
     if (options.progress != nullptr) options.progress->begin_at(simulation->time());
 
     RunResult result;
@@ -201,7 +236,8 @@ RunResult run(Scene scene, const RunOptions& options) {
     const std::uint64_t steps = simulation->steps();
     RunParts parts{std::move(simulation), at_rest, outputs, std::move(rewind), steps};
     const std::exception_ptr failure = run_to_end(parts, options, last_step, result);
-    describe_end(parts, result);
+    describe_state(*parts.simulation, result);
+    describe_times(parts, result);
     Attempts last;
     if (failure) last.make([&] { std::rethrow_exception(failure); });
     last.make([&] { make_checkpoint(parts); });

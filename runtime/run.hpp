@@ -29,10 +29,14 @@ struct MissingBodies {
     std::uint64_t crowded_out = 0;  ///< were due and found no room; the others were not due yet
 };
 
+/// One line about bodies of a group that found no room.
+std::string crowding(const MissingBodies& group);
+
 struct RunResult {
     enum class End : std::uint8_t { end_time, at_rest, interrupted, failed };
-    End end = End::end_time;
-    std::string reason;  ///< "SIGTERM" of an interruption, the message of a failure, ...
+    End end = End::end_time;    ///< failed, too, where bodies found no room
+    std::string reason;         ///< "SIGTERM" of an interruption, the message of a failure, ...
+    bool was_finished = false;  ///< a resumed run was: nothing was computed, no file touched
     std::uint64_t steps = 0;
     std::uint32_t particles = 0;
     std::uint64_t particle_steps = 0;             ///< particles, summed over the steps
@@ -49,7 +53,8 @@ struct RunResult {
 
 /// Runs a scene from time 0, or from its checkpoint, to its end and writes frames.h5 and
 /// frames.xdmf, history.csv, final.csv, summary.json and checkpoint.h5 into Scene::output.directory
-/// (created when missing). A resumed run gives the bits of one that was never interrupted.
+/// (created when missing). A resumed run gives the bits of one that was never interrupted; of one
+/// that is finished every file stays as it is.
 /// Throws Error for a time step above the critical one, a folder that cannot be written, is written
 /// by another run or holds results, a checkpoint that is none of this case, and a run that fails
 /// (a body leaves, overlaps too much, a number is not finite, a disk is full): then with step, time

@@ -127,6 +127,22 @@ std::filesystem::path checkpoint_path(const Scene& scene) {
     return std::filesystem::path(scene.output.directory) / "checkpoint.h5";
 }
 
+bool holds_end(const Scene& scene, const RunResult& result) {
+    const std::filesystem::path folder = scene.output.directory;
+    std::error_code ignored;
+    const auto has = [&](const char* name) {
+        return std::filesystem::exists(folder / name, ignored);
+    };
+    // A journal has work to do.
+    if (has("frames.h5.journal") || has("surfaces.h5.journal")) return false;
+    if (!has("final.csv") || (scene.output.picture && !has("final.png"))) return false;
+    RunSummary summary;
+    summary.end = end_name(result.end);
+    summary.reason = result.reason;
+    summary.state_hash = result.state_hash;
+    return tells_of(folder / "summary.json", summary);
+}
+
 Outputs::Outputs(const Scene& scene)
     : directory_(scene.output.directory),
       history_(directory_ / "history.csv", history_columns(scene)),

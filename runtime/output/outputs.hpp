@@ -27,6 +27,9 @@ struct OutputProgress {
 /// DIR/checkpoint.h5.
 std::filesystem::path checkpoint_path(const Scene& scene);
 
+/// Whether the folder of the scene holds all that a run leaves at this end.
+bool holds_end(const Scene& scene, const RunResult& result);
+
 /// What a run leaves in its folder (docs/output-files.md). Frames and rows are complete on disk as
 /// soon as they are due; final.csv, final.png and summary.json appear at the end.
 class Outputs {
