@@ -163,7 +163,7 @@ std::vector<BodyRow> parse_body_table(std::string_view text, const std::string& 
 }
 
 std::vector<BodyRow> read_body_table(const std::filesystem::path& path) {
-    const MemoryMap map(path);
+    const MemoryMap map(path, "table of bodies");
     const auto* text = reinterpret_cast<const char*>(map.bytes().data());
     return parse_body_table(std::string_view(text, map.bytes().size()), path.string());
 }

@@ -22,6 +22,7 @@ namespace dem {
 namespace {
 
 constexpr std::uint64_t checkpoint_layout = 1;  // raised when a reader would have to change
+constexpr const char* checkpoint_kind = "checkpoint that demrun wrote";
 constexpr std::string_view trailer_mark = "ShapeDEM checkpoint ";
 
 /// The line behind the file: its mark and 16 hexadecimal digits.
@@ -35,7 +36,7 @@ std::string trailer(std::span<const std::byte> content) {
 }
 
 void append_trailer(const PendingFile& file) {
-    const std::string line = trailer(MemoryMap(file.temporary_path()).bytes());
+    const std::string line = trailer(MemoryMap(file.temporary_path(), checkpoint_kind).bytes());
     errno = 0;
     std::ofstream out(file.temporary_path(), std::ios::binary | std::ios::app);
     out << line << std::flush;
@@ -46,7 +47,7 @@ void append_trailer(const PendingFile& file) {
 }
 
 void check_trailer(const std::filesystem::path& path) {
-    const MemoryMap file(path);
+    const MemoryMap file(path, checkpoint_kind);
     constexpr std::size_t size = trailer_mark.size() + 17;
     const auto bytes = file.bytes();
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());

@@ -117,7 +117,9 @@ void write_mercurydpm(const std::filesystem::path& folder, const Body& body) {
         throw Error(folder.string(), "exists, expected the name of a new folder");
     for (const char* name : {"clump", "inertia"}) {
         std::filesystem::create_directories(folder / name, problem);
-        if (problem) throw Error((folder / name).string(), "cannot make it: " + problem.message());
+        if (problem)
+            throw Error((folder / name).string(), "cannot make this folder: " + problem.message() +
+                                                      ", expected another place (-o)");
     }
     std::string pebbles;
     for (const ClumpSphere& s : body.clump.spheres)

@@ -2,6 +2,7 @@
 #include "formats/memory_map.hpp"
 
 #include "common/error.hpp"
+#include "formats/file_kind.hpp"
 
 #include <cerrno>
 #include <system_error>
@@ -13,12 +14,16 @@
 
 namespace dem {
 
-MemoryMap::MemoryMap(const std::filesystem::path& path) {
-    const auto fail = [&path](int error) {
-        throw Error(path.string(), "cannot read: " + std::generic_category().message(error));
+MemoryMap::MemoryMap(const std::filesystem::path& path, const std::string& kind) {
+    const auto fail = [&](const std::string& found) {
+        throw Error(path.string(), found + ", expected a " + kind);
+    };
+    if (const std::string found = no_file_at(path); !found.empty()) fail(found);
+    const auto fail_to_read = [&](int error) {
+        fail("cannot be read: " + std::generic_category().message(error));
     };
     const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0) fail(errno);
+    if (descriptor < 0) fail_to_read(errno);
     struct stat status {};
     const bool is_regular = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
     const auto size = static_cast<std::size_t>(status.st_size);
@@ -30,9 +35,8 @@ MemoryMap::MemoryMap(const std::filesystem::path& path) {
         if (start == MAP_FAILED) map_error = errno;
     }
     close(descriptor);
-    if (S_ISDIR(status.st_mode)) fail(EISDIR);
-    if (!is_regular) throw Error(path.string(), "is a device or pipe, expected a file");
-    if (map_error != 0) fail(map_error);
+    if (!is_regular) fail("is no file any more");
+    if (map_error != 0) fail_to_read(map_error);
     bytes_ = {static_cast<const std::byte*>(start), size};
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 
 namespace dem {
 
@@ -12,8 +13,9 @@ namespace dem {
 /// replace files by renaming, never in place, so a mapped file does not change underneath.
 class MemoryMap {
   public:
-    /// Throws Error naming the file: missing, a directory, not readable.
-    explicit MemoryMap(const std::filesystem::path& path);
+    /// Throws Error naming the file: missing, a folder or pipe, not readable. `kind` names what was
+    /// expected ("mesh").
+    MemoryMap(const std::filesystem::path& path, const std::string& kind);
     ~MemoryMap();
     MemoryMap(const MemoryMap&) = delete;
     MemoryMap& operator=(const MemoryMap&) = delete;

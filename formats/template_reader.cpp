@@ -188,7 +188,8 @@ TemplateLibrary::TemplateLibrary(std::shared_ptr<const void> owner,
 }
 
 TemplateLibrary::TemplateLibrary(const std::filesystem::path& path)
-    : TemplateLibrary(std::make_shared<const MemoryMap>(path), path.string()) {}
+    : TemplateLibrary(std::make_shared<const MemoryMap>(path, "template made by shapegen"),
+                      path.string()) {}
 
 TemplateLibrary::TemplateLibrary(const std::shared_ptr<const MemoryMap>& map, std::string where)
     : TemplateLibrary(map, map->bytes(), std::move(where)) {}

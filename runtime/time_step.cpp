@@ -183,7 +183,7 @@ TimeStep time_step(const Scene& scene) {
     }
     if (!has_contact) {
         throw Error(scene.case_path,
-                    "time_step = auto needs a body that can move; give a time step");
+                    "time_step = auto found where no body can move, expected a time_step");
     }
     step.value = step.critical / scene.run.time_step_fraction;
     if (!(step.value > 0.0 && step.value <= scene.run.end_time)) {

@@ -27,7 +27,7 @@ bool is_one_of(const std::array<std::string_view, count>& keys, std::string_view
 
 std::string content_hash(const std::filesystem::path& path) {
     StateHash hash;
-    hash.add_bytes(MemoryMap(path).bytes());
+    hash.add_bytes(MemoryMap(path, "file").bytes());
     char text[17];
     std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash.value()));
     return text;

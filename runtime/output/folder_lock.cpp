@@ -20,10 +20,15 @@ namespace {
 /// Whether it was missing.
 bool make_folder(const std::filesystem::path& folder) {
     std::error_code error;
+    const auto there = std::filesystem::status(folder, error);
+    if (std::filesystem::exists(there) && !std::filesystem::is_directory(there)) {
+        throw Error(folder.string(),
+                    "is no folder, expected one for the results or a new name (--out)");
+    }
     const bool made = std::filesystem::create_directories(folder, error);
-    if (error || !std::filesystem::is_directory(folder)) {
-        throw Error(folder.string(), "cannot make the output folder" +
-                                         (error ? ": " + error.message() : std::string()));
+    if (error) {
+        throw Error(folder.string(), "cannot make the output folder: " + error.message() +
+                                         ", expected another one (--out)");
     }
     return made;
 }
@@ -54,7 +59,8 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
     descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC,
                        S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH);
     if (descriptor_ < 0) {
-        throw Error(folder.string(), "cannot write: " + std::generic_category().message(errno));
+        throw Error(folder.string(), "cannot write: " + std::generic_category().message(errno) +
+                                         ", expected another folder (--out)");
     }
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
         const std::string other = owner(descriptor_);

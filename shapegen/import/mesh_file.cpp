@@ -3,6 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/text.hpp"
+#include "formats/file_kind.hpp"
 #include "formats/memory_map.hpp"
 #include "shapegen/import/gltf_reader.hpp"
 #include "shapegen/import/obj_reader.hpp"
@@ -44,8 +45,8 @@ void check_file(const std::filesystem::path& path) {
         throw Error(path.string(), "found the extension " + in_quotes(path.extension().string()) +
                                        ", expected " + mesh_extensions());
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error))
-        throw Error(path.string(), "found no such file, expected a mesh");
+    if (const std::string found = no_file_at(path); !found.empty())
+        throw Error(path.string(), found + ", expected a mesh");
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     if (size == 0) throw Error(path.string(), "found an empty file, expected a mesh");
     // With fewer bytes no format holds more points than 32 bits count.
@@ -56,7 +57,7 @@ void check_file(const std::filesystem::path& path) {
 }
 
 PolygonSoup read(const std::filesystem::path& path, const Format& format) {
-    if (format.read != nullptr) return format.read(MemoryMap(path).bytes(), path.string());
+    if (format.read != nullptr) return format.read(MemoryMap(path, "mesh").bytes(), path.string());
     try {
         return read_gltf(path);
     } catch (const Error& error) {

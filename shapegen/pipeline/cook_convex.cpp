@@ -108,7 +108,7 @@ CookedConvex cook_mesh(const std::filesystem::path& path, const ConvexRequest& r
     LoadedMesh loaded = load_mesh(path, options);
     CookedConvex cooked;
     StateHash hash;
-    hash.add_bytes(MemoryMap(path).bytes());
+    hash.add_bytes(MemoryMap(path, "mesh").bytes());
     cooked.hash = hash.value();
     cooked.lines = std::move(loaded.lines);
 

@@ -54,7 +54,7 @@ Solid from_mesh(const std::filesystem::path& path, const MeshLoadOptions& option
     Solid solid;
     solid.name = path.stem().string();
     StateHash hash;
-    hash.add_bytes(MemoryMap(path).bytes());
+    hash.add_bytes(MemoryMap(path, "mesh").bytes());
     solid.hash = hash.value();
     solid.unit = loaded.unit;
     solid.lines = std::move(loaded.lines);

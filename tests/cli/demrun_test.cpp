@@ -223,6 +223,34 @@ TEST_F(Demrun, OutputThatCannotBeWrittenIsAnError) {
     }
 }
 
+TEST_F(Demrun, APipeASocketOrAFolderIsNoCase) {
+    ASSERT_EQ(mkfifo((folder_ / "pipe.ini").c_str(), 0600), 0);
+    fs::create_directory(folder_ / "folder.ini");
+    fs::create_symlink("nowhere.ini", folder_ / "broken.ini");
+    fs::create_symlink("case.ini", folder_ / "link.ini");
+    const auto answer = [&](const std::string& arguments) {
+        return run_command("timeout 10 " + program("demrun") + " " + arguments, folder_).errors;
+    };
+    const std::string error = "demrun: error: ";
+    EXPECT_EQ(answer("pipe.ini"),
+              error + "pipe.ini: is a pipe that nothing comes out of, expected a case file\n");
+    EXPECT_EQ(answer("folder.ini"), error + "folder.ini: is a folder, expected a case file\n");
+    EXPECT_EQ(answer("broken.ini"),
+              error + "broken.ini: is a link to nothing, expected a case file\n");
+    EXPECT_EQ(answer("link.ini --check"), "");
+    EXPECT_EQ(answer("/dev/null"),
+              error + "/dev/null: is a device that nothing comes out of, expected a case file\n");
+}
+
+TEST_F(Demrun, ACaseThatComesSlowlyThroughAPipeIsRead) {
+    const Outcome outcome = run_command(
+        "{ sleep 0.2; head -c 50 case.ini; sleep 0.2; tail -c +51 case.ini; } | timeout 10 " +
+            program("demrun") + " /dev/stdin --check",
+        folder_);
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_NE(outcome.output.find("balls: 20 x sphere"), std::string::npos) << outcome.output;
+}
+
 TEST_F(Demrun, CountsMayHaveAnExponentOrAPoint) {
     const Outcome twenty = demrun("case.ini --check --threads 1");
     for (const char* count : {"2e1", "20.0", "20.", "+20", "0.2e2"}) {
@@ -239,6 +267,30 @@ TEST_F(Demrun, CountsMayHaveAnExponentOrAPoint) {
                                                std::string(count) + "' found, expected "))
             << outcome.errors;
     }
+}
+
+TEST_F(Demrun, WhatIsMissingIsSaidWithWhatIsExpected) {
+    const auto expect_line = [&](const std::string& arguments, const std::string& line) {
+        const Outcome outcome = demrun("case.ini " + arguments);
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_EQ(outcome.errors, "demrun: error: " + line + "\n");
+    };
+    const std::string body =
+        "--set particles.t.material=m --set particles.t.count=1 --set "
+        "'particles.t.region=box 0 0 0 1 1 1 mm' --set particles.t.template=";
+    expect_line(body + "none.tpl",
+                "--set particles.t.template: none.tpl: no such file, expected a "
+                "template made by shapegen");
+    expect_line(body + ".",
+                "--set particles.t.template: .: is a folder, expected a template made "
+                "by shapegen");
+    expect_line("--check --set particles.balls.fixed=yes",
+                "case.ini: time_step = auto found where no body can move, expected a time_step");
+    expect_line("--out case.ini",
+                "case.ini: is no folder, expected one for the results or a new name (--out)");
+    expect_line("--out case.ini/sub",
+                "case.ini/sub: cannot make the output folder: Not a "
+                "directory, expected another one (--out)");
 }
 
 }  // namespace

@@ -8,9 +8,11 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 namespace dem {
@@ -227,6 +229,34 @@ TEST_F(ShapegenCli, NamesAFileThatIsMissingOrOfTheWrongKind) {
     write("bunny.stl", "solid bunny");
     expect_failure(run("bunny.stl"), 2,
                    "expected --clump C, --clump-spheres N, --clump-error E% or --convex");
+}
+
+TEST_F(ShapegenCli, NeverWaitsForAPipeNorTakesAFolderForAFile) {
+    const std::vector<std::string> modes = {"p.profile", "p.convex", "p.stl --convex",
+                                            "p.glb --clump 0.9", "inspect p.tpl"};
+    for (const std::string& mode : modes) {
+        std::string name = mode.substr(mode.find("p."));
+        name = name.substr(0, name.find(' '));
+        ASSERT_EQ(mkfifo((folder_ / name).c_str(), 0600), 0);
+        const std::string output = mode.starts_with("inspect") ? "" : " -o out.tpl";
+        expect_failure(run(mode + output, "timeout 10"), 1, name + ": is a pipe");
+        fs::remove(folder_ / name);
+        fs::create_directory(folder_ / name);
+        expect_failure(run(mode + output), 1, name + ": is a folder, expected a ");
+        fs::remove(folder_ / name);
+        fs::create_symlink("nothing", folder_ / name);
+        expect_failure(run(mode + output), 1, name + ": is a link to nothing, expected a ");
+    }
+    fs::create_symlink(profiles + "tablet.profile", folder_ / "link.profile");
+    EXPECT_EQ(run("link.profile -q -o out.tpl").code, 0);
+}
+
+TEST_F(ShapegenCli, TakesCountsWithAnExponent) {
+    ASSERT_EQ(run(profiles + "tablet.profile -q -o a.tpl --nodes 5e2 --threads 1.0").code, 0);
+    const TemplateFile file = read_template(folder_ / "a.tpl");
+    EXPECT_EQ(std::get<SrShape>(file.shapes.at(0).shape).nodes.count, 500U);
+    expect_failure(run("a.profile --nodes 5.5e0"), 2,
+                   "--nodes: found '5.5e0', expected a whole number from 100 to 1000000");
 }
 
 TEST_F(ShapegenCli, NamesTheExtensionThatItDoesNotRead) {

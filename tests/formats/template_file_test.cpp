@@ -171,14 +171,14 @@ TEST_F(TemplateOnDisk, WhatIsNoTemplateIsNamedForWhatItIs) {
         EXPECT_EQ(message.substr(0, place.size()), place);
         return message.substr(std::min(message.size(), place.size()));
     };
-    EXPECT_EQ(reading("missing.tpl"), "cannot read: No such file or directory");
-    EXPECT_EQ(reading(""), "cannot read: Is a directory");
+    EXPECT_EQ(reading("missing.tpl"), "no such file, expected a template made by shapegen");
+    EXPECT_EQ(reading(""), "is a folder, expected a template made by shapegen");
     write("empty.tpl", "");
     EXPECT_EQ(reading("empty.tpl"), "is empty, expected a template made by shapegen");
     write("mesh.stl", "solid bunny, and nothing that a template would hold");
     EXPECT_EQ(reading("mesh.stl"), "is not a template, expected a .tpl file made by shapegen");
     ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
-    EXPECT_EQ(reading("pipe"), "is a device or pipe, expected a file");
+    EXPECT_EQ(reading("pipe"), "is a pipe, expected a template made by shapegen");
 
     write_template(folder_ / "good.tpl", sample::file());
     const std::string good = text("good.tpl");

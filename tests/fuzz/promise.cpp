@@ -30,9 +30,8 @@ std::string said(std::string_view fault, std::string_view line) {
 }
 
 bool says_what_to_do(std::string_view message) {
-    // What the system says of a file that "cannot" be read speaks for itself.
-    constexpr std::array<std::string_view, 7> ways = {
-        "expected", "required", "need", "belongs", "again", "did you mean", "cannot read: "};
+    constexpr std::array<std::string_view, 6> ways = {"expected", "required", "need",
+                                                      "belongs",  "again",    "did you mean"};
     return std::any_of(ways.begin(), ways.end(), [&](std::string_view way) {
         return message.find(way) != std::string_view::npos;
     });
