@@ -3,9 +3,10 @@
 
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
-#include "common/state_hash.hpp"
 #include "formats/hdf5_file.hpp"
 #include "formats/hdf5_reader.hpp"
+#include "formats/table_hash.hpp"
+#include "formats/taken_up.hpp"
 
 #include <algorithm>
 #include <array>
@@ -78,21 +79,6 @@ void write_shapes(Hdf5File& file, std::span<const ParticleTemplate> shapes) {
     file.describe("/shapes/bounding_radius", "units", "m");
 }
 
-/// Of all that a frame holds, by which a damaged one is found when its run is resumed.
-class FrameHash {
-  public:
-    void add(std::span<const std::byte> table) {
-        ContentHash hash;
-        hash.add(table);
-        const std::uint64_t value = hash.value();
-        hash_.add(std::span(&value, 1));
-    }
-    std::uint64_t value() const { return hash_.value(); }
-
-  private:
-    StateHash hash_;
-};
-
 /// The tables of a frame in the order of its hash.
 constexpr std::array<const char*, 9> table_names = {
     "position", "id",    "orientation",  "velocity", "angular_velocity",
@@ -125,7 +111,7 @@ class FrameTables {
     Hdf5File& file_;
     std::string group_;
     std::string place_;
-    FrameHash hash_;
+    TableHash hash_;
 };
 
 XdmfGrid write_tables(FrameTables& tables, const Frame& frame) {
@@ -178,7 +164,7 @@ std::string frame_name(std::uint64_t number) {
 void check_frame(const std::filesystem::path& path, const Hdf5Reader& file,
                  const std::string& group) {
     const std::vector<std::string> members = file.members(group);
-    FrameHash hash;
+    TableHash hash;
     for (const char* name : table_names) {
         if (std::ranges::find(members, name) == members.end()) continue;
         hash.add(file.content(group + "/" + name));
@@ -204,13 +190,7 @@ FrameWriter::FrameWriter(const std::filesystem::path& directory, const FrameCont
     if (frames == 0 || !std::filesystem::exists(path_)) {
         begin(context, shapes);
     } else {
-        try {
-            take_up();
-        } catch (const Error& error) {
-            throw Error(std::string(error.what()) +
-                        ", expected the frames before the checkpoint; move the file away and "
-                        "--resume begins a new one");
-        }
+        take_up_or_say_how(path_, "frames", [this] { take_up(); });
     }
     if (context.surfaces) surfaces_ = std::make_unique<SurfaceWriter>(directory, shapes, frames);
 }

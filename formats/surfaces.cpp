@@ -3,21 +3,59 @@
 
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
+#include "common/number.hpp"
+#include "common/text.hpp"
 #include "formats/frames.hpp"
 #include "formats/hdf5_file.hpp"
 #include "formats/hdf5_reader.hpp"
+#include "formats/table_hash.hpp"
+#include "formats/taken_up.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <initializer_list>
 #include <limits>
 
 namespace dem {
+
+namespace {
+
+/// The tables of a frame and of a set of triangles in the order of its hash.
+using TableNames = std::array<const char*, 2>;
+constexpr TableNames frame_tables = {"points", "speed"};
+constexpr TableNames topology_tables = {"triangles", "particle_id"};
+
+std::uint64_t hash_of(std::initializer_list<std::span<const std::byte>> tables) {
+    TableHash hash;
+    for (const auto& table : tables) hash.add(table);
+    return hash.value();
+}
+
+/// Throws Error unless the tables are as they were written.
+void check_tables(const std::filesystem::path& path, const Hdf5Reader& file,
+                  const std::string& group, const TableNames& names) {
+    TableHash hash;
+    for (const char* name : names) hash.add(file.content(group + "/" + name));
+    if (hash.value() == file.number(group, "hash")) return;
+    throw Error(path.string(), "holds " + group + " that was changed after it was written");
+}
+
+/// Of a frame or a set of triangles, by its name.
+std::uint64_t number(const std::filesystem::path& path, const std::string& name) {
+    const auto value = whole_number(name);
+    if (!value) throw Error(path.string(), "holds " + in_quotes(name) + " where numbers were");
+    return *value;
+}
+
+}  // namespace
 
 SurfaceWriter::SurfaceWriter(const std::filesystem::path& directory,
                              std::span<const ParticleTemplate> shapes, std::uint64_t frames)
     : path_(directory / "surfaces.h5"), index_(directory / "surfaces.xdmf", "surfaces") {
     for (const ParticleTemplate& shape : shapes) meshes_.push_back(shape.display_mesh);
     if (frames > 0 && std::filesystem::exists(path_)) {
-        take_up(frames);
+        take_up_or_say_how(path_, "surfaces", [&] { take_up(frames); });
         return;
     }
     begin();
@@ -47,15 +85,27 @@ void SurfaceWriter::take_up(std::uint64_t frames) {
         const Hdf5Reader reader(path_);
         for (const std::string& name : reader.members("/frames")) {
             const std::string group = "/frames/" + name;
-            if (std::stoull(name) >= frames) {
+            if (number(path_, name) >= frames) {
                 later.push_back(group);
                 continue;
             }
+            check_tables(path_, reader, group, frame_tables);
             entries.push_back(reader.text(group, "xdmf"));
             topologies_ = reader.number(group, "topologies");
         }
+        std::uint64_t kept = 0;
         for (const std::string& name : reader.members("/topologies")) {
-            if (std::stoull(name) >= topologies_) later.push_back("/topologies/" + name);
+            const std::string group = "/topologies/" + name;
+            if (number(path_, name) >= topologies_) {
+                later.push_back(group);
+                continue;
+            }
+            check_tables(path_, reader, group, topology_tables);
+            ++kept;
+        }
+        if (kept != topologies_) {
+            throw Error(path_.string(), "has " + std::to_string(kept) + " of " +
+                                            std::to_string(topologies_) + " sets of triangles");
         }
     }
     index_.begin(entries);
@@ -88,6 +138,8 @@ void SurfaceWriter::write_triangles(const Frame& frame) {
     file.make_group(group);
     file.write(group + "triangles", triangles, 3);
     file.write(group + "particle_id", ids);
+    file.describe(group, "hash",
+                  hash_of({std::as_bytes(std::span(triangles)), std::as_bytes(std::span(ids))}));
     file.close();
     known_id_.assign(frame.id.begin(), frame.id.end());
     known_shape_.assign(frame.shape.begin(), frame.shape.end());
@@ -129,6 +181,8 @@ void SurfaceWriter::append(const Frame& frame, const std::string& frame_name) {
           {"speed", "Scalar", "Cell", {place + "speed", speeds.size(), 1, "Float", 4}}}});
     file.describe(group, "time", frame.time);
     file.describe(group, "topologies", topologies_);
+    file.describe(group, "hash",
+                  hash_of({std::as_bytes(std::span(points)), std::as_bytes(std::span(speeds))}));
     file.describe(group, "xdmf", entry);
     file.close();
     index_.append(entry);

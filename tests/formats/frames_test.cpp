@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 #include "common/random.hpp"
 #include "formats/hdf5_file.hpp"
+#include "formats/hdf5_reader.hpp"
 #include "tests/formats/sample_template.hpp"
 #include "tests/formats/temporary_folder.hpp"
 
@@ -218,6 +219,50 @@ TEST_F(Frames, SurfacesAreTheDisplayMeshesMovedByEachParticle) {
     // Two frames of the same particles share their triangles.
     EXPECT_EQ(occurrences(text("surfaces.xdmf"), "/topologies/0/triangles"), 2U);
     EXPECT_EQ(table(folder_ / "surfaces.h5", "/topologies/2/triangles").size(), 0U);
+}
+
+TEST_F(Frames, SurfacesThatWereDamagedAreNotTakenUp) {
+    FrameContext context = context_;
+    context.surfaces = true;
+    std::vector<ParticleTemplate> shapes = shapes_;
+    shapes[1].display_mesh = sample::sphere_mesh(1e-3);
+    {
+        FrameWriter writer(folder_, context, shapes);
+        for (std::uint64_t k = 0; k < 3; ++k) {
+            writer.append(State(3, k).frame(static_cast<double>(k)));
+        }
+    }
+    const std::string whole = text("surfaces.h5");
+    const auto answer = [&] {
+        return message_of<Error>([&] { FrameWriter(folder_, context, shapes, 3); });
+    };
+    EXPECT_EQ(answer(), "");
+    const std::string place = (folder_ / "surfaces.h5").string() + ": ";
+    const std::string expected =
+        ", expected the surfaces before the checkpoint; move the file away and --resume begins a "
+        "new one";
+    for (const char* table :
+         {"/frames/00000001/points", "/frames/00000000/speed", "/topologies/0/triangles"}) {
+        const std::vector<std::byte> bytes =
+            Hdf5Reader(folder_ / "surfaces.h5").content(std::string(table));
+        const std::size_t at =
+            whole.find(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+        ASSERT_NE(at, std::string::npos) << table;
+        std::string damaged = whole;
+        damaged[at + 5] = static_cast<char>(damaged[at + 5] ^ 1);
+        write("surfaces.h5", damaged);
+        const std::string group(table, std::string(table).rfind('/'));
+        EXPECT_EQ(answer(),
+                  place + "holds " + group + " that was changed after it was written" + expected);
+        write("surfaces.h5", whole);
+    }
+    for (const std::size_t size : {0UL, 100UL, whole.size() / 2, whole.size() - 1}) {
+        write("surfaces.h5", whole.substr(0, size));
+        const std::string message = answer();
+        EXPECT_TRUE(message.starts_with(place) && message.ends_with(expected)) << message;
+    }
+    std::filesystem::remove(folder_ / "surfaces.h5");
+    EXPECT_EQ(answer(), "");
 }
 
 }  // namespace
