@@ -58,6 +58,9 @@ Progress::~Progress() {
 void Progress::begin_at(double done) {
     older_ = {clock_(), done};
     newer_ = older_;
+    // A rate of the first step alone would be none: the first line comes like the next.
+    last_print_ = older_.time;
+    if (total_ > 0.0) tenths_printed_ = static_cast<int>(10.0 * done / total_);
 }
 
 bool Progress::is_due(double done) const {

@@ -64,6 +64,21 @@ TEST(Progress, TheEstimateFollowsAChangeOfPace) {
         << out.str().substr(out.str().rfind('\r'));
 }
 
+TEST(Progress, TheFirstEstimateOfResumedWorkIsOfMoreThanAStep) {
+    for (const auto style : {Progress::Style::lines, Progress::Style::terminal}) {
+        std::ostringstream out;
+        double now = 0.0;
+        Progress progress(out, style, "run", 1000.0, [&] { return now; });
+        now = 5.0;  // reading
+        progress.begin_at(486.0);
+        // The first step takes as long as a hundred later ones, which say what is left.
+        now += 0.1;
+        for (double done = 487.0; done <= 600.0; done += 1.0, now += 0.001) progress.update(done);
+        EXPECT_EQ(out.str().find("51 s left"), std::string::npos) << out.str();
+        EXPECT_NE(out.str().find("about 1 s left"), std::string::npos) << out.str();
+    }
+}
+
 TEST(Progress, WorkOfUnevenStagesHasNoEstimate) {
     std::ostringstream out;
     double now = 0.0;
