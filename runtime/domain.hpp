@@ -18,6 +18,14 @@ Aabb scene_extent(const Scene& scene);
 /// scene and hit by the fastest wall.
 double largest_expected_speed(const Scene& scene);
 
+/// Of surface points of bodies that spin at the start [m/s].
+double largest_rim_speed(const Scene& scene);
+
+/// The speed of the fastest impact to expect [m/s]: as above, surface points of spinning bodies
+/// added, but bodies on a lattice or packed from the bottom fall only to the ground under their
+/// region and onto each other.
+double largest_impact_speed(const Scene& scene);
+
 /// The box that no center of mass may leave: the one of the case file, or the scene's extent with
 /// room on every side for its largest edge, for what flies freely and for walls that move. It is
 /// there to find bodies that got out, not to hold them.

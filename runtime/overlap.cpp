@@ -147,6 +147,38 @@ struct Bed {
     }
 };
 
+/// Calls `visit` with every kind and whom it may meet, and how far the two overlap in an impact at
+/// a speed and in a bed, in smaller radii.
+template <class Visit>
+void for_each_foreseen(const Scene& scene, double speed, const Visit& visit) {
+    const Bed bed(scene);
+    for_each_encounter(scene, [&](std::uint32_t kind, const Encounter& e) {
+        visit(kind, e, impact_overlap(scene, e, speed),
+              load_overlap(scene, e, bed.load(sphere_radius(scene, kind))));
+    });
+}
+
+/// Whether what makes one of them stiffer makes the other so.
+bool share_a_stiffness(const Scene& scene, const Encounter& a, const Encounter& b) {
+    const bool has_first = a.material_i == b.material_i || a.material_i == b.material_j;
+    const bool has_second = a.material_j == b.material_i || a.material_j == b.material_j;
+    if (is_linear(scene, a) || is_linear(scene, b)) return has_first && has_second;
+    return has_first || has_second;
+}
+
+/// How much stiffer the materials of an encounter must be for all that is foreseen of them.
+double foreseen_factor(const Scene& scene, const Encounter& e) {
+    double factor = 0.0;
+    for_each_foreseen(
+        scene, largest_impact_speed(scene),
+        [&](std::uint32_t, const Encounter& other, double impact_depth, double load_depth) {
+            if (!share_a_stiffness(scene, e, other)) return;
+            factor = std::max({factor, impact_factor(scene, other, impact_depth),
+                               load_factor(scene, other, load_depth)});
+        });
+    return factor;
+}
+
 }  // namespace
 
 Encounter encounter(const Scene& scene, std::uint32_t i, std::uint32_t j) {
@@ -196,20 +228,23 @@ std::string overlap_cause(const Scene& scene, const Encounter& e, double speed, 
     const double impact = impact_overlap(scene, e, speed, overlap);
     // A bed that settles softly has no speed to tell how far it will go.
     const double load = load_overlap(scene, e, Bed(scene).load(e.smaller_radius));
-    const double factor = std::max(impact_factor(scene, e, impact), load_factor(scene, e, load));
+    const double factor = std::max(
+        {impact_factor(scene, e, impact), load_factor(scene, e, load), foreseen_factor(scene, e)});
     return "the material is too soft" +
            formatted(" (they approach at %.3g m/s), expected ", speed) + stiffer(scene, e, factor) +
            ", or a larger overlap_limit";
 }
 
-std::string foreseen_overlap(const Scene& scene, double speed) {
+std::string foreseen_overlap(const Scene& scene) {
     Foreseen impact;
     Foreseen load;
-    const Bed bed(scene);
-    for_each_encounter(scene, [&](std::uint32_t kind, const Encounter& e) {
-        keep_larger(impact, impact_overlap(scene, e, speed), e, kind);
-        keep_larger(load, load_overlap(scene, e, bed.load(sphere_radius(scene, kind))), e, kind);
-    });
+    const double speed = largest_impact_speed(scene);
+    for_each_foreseen(
+        scene, speed,
+        [&](std::uint32_t kind, const Encounter& e, double impact_depth, double load_depth) {
+            keep_larger(impact, impact_depth, e, kind);
+            keep_larger(load, load_depth, e, kind);
+        });
     if (impact.overlap == 0.0 && load.overlap == 0.0) return "";
     std::string text = formatted(
         "overlap: up to about %.2g %% of the radius in impacts at %.3g m/s, %.2g %% under the "

@@ -30,13 +30,14 @@ double impact_overlap(const Scene& scene, const Encounter& e, double speed, doub
 double load_overlap(const Scene& scene, const Encounter& e, double force);
 
 /// Why two bodies that approach at `speed` [m/s] overlap by more than the scene allows, `relative`
-/// smaller radii, and what is expected instead. `dt`: the time step [s].
+/// smaller radii, and what is expected instead, no softer than foreseen_overlap expects it. `dt`:
+/// the time step [s].
 std::string overlap_cause(const Scene& scene, const Encounter& e, double speed, double relative,
                           double dt);
 
-/// A line for a person about the largest overlap of impacts at a speed [m/s] and under the weight
-/// of all bodies, with a warning and what helps where it is above the limit. "" where no body
-/// moves.
-std::string foreseen_overlap(const Scene& scene, double speed);
+/// A line for a person about the largest overlap of the fastest impact to expect and under the
+/// weight of all bodies, with a warning and what helps where it is above the limit. "" where no
+/// body moves.
+std::string foreseen_overlap(const Scene& scene);
 
 }  // namespace dem

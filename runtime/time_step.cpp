@@ -59,22 +59,6 @@ double tangential_factor(const Scene& scene, const BodyKind& kind, const UsedMat
     return std::sqrt(covered / stiffest);
 }
 
-// Of surface points of bodies that spin at the start [m/s].
-double largest_rim_speed(const Scene& scene) {
-    double spin = 0.0;
-    for (const InsertionGroup& group : scene.insertions) {
-        spin = std::max(spin, group.angular_velocity.norm());
-        for (const BodyPlacement& body : group.placements) {
-            spin = std::max(spin, body.angular_velocity.norm());
-        }
-    }
-    double radius = 0.0;
-    for (const BodyKind& kind : scene.kinds) {
-        radius = std::max(radius, scene.shapes[kind.shape].bounding_radius);
-    }
-    return spin * radius;
-}
-
 double motion_time(const Scene& scene, double speed) {
     double time = infinite;
     for (const BodyKind& kind : scene.kinds) {

@@ -153,7 +153,7 @@ std::string check_scene(const Scene& scene, std::optional<double> resumed_at) {
     }
     out << (scene.walls.empty() ? "\n" : ")\n");
     describe(step, scene, out);
-    out << foreseen_overlap(scene, step.largest_speed) << "steps: ";
+    out << foreseen_overlap(scene) << "steps: ";
     const std::uint64_t steps = step_count(scene.run, step.value, scene.case_path);
     if (resumed_at) {
         const auto done = static_cast<std::uint64_t>(std::llround(*resumed_at / step.value));

@@ -35,6 +35,18 @@ class Foresight : public TemporaryFolder {
         const std::regex expected("youngs_modulus = ([0-9.]+ [kMG]?Pa) in \\[material\\.m\\]");
         return std::regex_search(text, found, expected) ? found[1].str() : "none in " + text;
     }
+    static double pascals(const std::string& modulus) {
+        const double prefix = modulus.ends_with(" kPa")   ? 1e3
+                              : modulus.ends_with(" MPa") ? 1e6
+                              : modulus.ends_with(" GPa") ? 1e9
+                                                          : 1.0;
+        return prefix * std::stod(modulus);
+    }
+    /// The overlap in impacts that --check foresees, in radii.
+    static double foreseen(const std::string& check) {
+        const std::string before = "overlap: up to about ";
+        return 0.01 * std::stod(check.substr(check.find(before) + before.size()));
+    }
     static std::string with_modulus(const std::string& modulus) {
         return " --set 'material.m.youngs_modulus=" + modulus + "' ";
     }
@@ -98,6 +110,52 @@ TEST_F(Foresight, AStopNamesASoftMaterialAndWhatIsStiffEnough) {
     EXPECT_GT(largest_overlap("case"), 0.2);
     const Outcome stiff = demrun("--force" + with_modulus(modulus_in(stop.errors)));
     EXPECT_EQ(stiff.code, 0) << stiff.errors;
+}
+
+TEST_F(Foresight, AStopAdvisesNoSofterMaterialThanCheck) {
+    // They stop early, at less than what was to come.
+    const std::string tube =
+        " --set particles.s.count=60 --set wall.floor.shape=cylinder --set 'wall.floor.radius=20 "
+        "mm' --set 'particles.s.region=cylinder 0 0 0 0 0 250 mm 20 mm' --set particles.s.insert=";
+    std::string poured = soft_drop;
+    poured.erase(poured.find("file = drop.csv\n"), 16);
+    poured.erase(poured.find("normal = 0 0 1\n"), 15);
+    write("case.ini", poured);
+    for (const char* insert : {"at_once", "lattice", "fill"}) {
+        for (const char* modulus : {"20 kPa", "100 kPa", "400 kPa"}) {
+            const std::string arguments = tube + insert + with_modulus(modulus);
+            const std::string check = demrun("--check" + arguments).output;
+            const Outcome stop = demrun("--force" + arguments);
+            EXPECT_EQ(stop.code, 1) << arguments;
+            EXPECT_GE(pascals(modulus_in(stop.errors)), pascals(modulus_in(check)))
+                << insert << modulus << check << stop.errors;
+        }
+    }
+}
+
+TEST_F(Foresight, BodiesOnALatticeFallNoFartherThanToTheirBed) {
+    std::string stacked = soft_drop;
+    stacked.erase(stacked.find("file = drop.csv\n"), 16);
+    stacked.erase(stacked.find("normal = 0 0 1\n"), 15);
+    write("case.ini", stacked);
+    const std::string tube =
+        " --force --set particles.s.count=100 --set wall.floor.shape=cylinder --set "
+        "'wall.floor.radius=30 mm' --set run.end_time=0.3s --set 'particles.s.region=cylinder 0 0 "
+        "0 0 0 500 mm 30 mm'" +
+        with_modulus("20 MPa") + "--set particles.s.insert=";
+    for (const char* insert : {"lattice", "fill"}) {
+        const Outcome check = demrun("--check" + tube + insert);
+        EXPECT_EQ(check.output.find("warning"), std::string::npos) << check.output;
+        const Outcome run = demrun(tube + insert);
+        EXPECT_EQ(run.code, 0) << run.errors;
+        EXPECT_LT(largest_overlap("case"), foreseen(check.output)) << insert;
+    }
+    // Random places are as high as the region, and so is a region above the ground.
+    EXPECT_NE(demrun("--check" + tube + "at_once").output.find("warning"), std::string::npos);
+    EXPECT_NE(demrun("--check" + tube +
+                     "lattice --set 'particles.s.region=cylinder 0 0 400 0 0 500 mm 30 mm'")
+                  .output.find("warning"),
+              std::string::npos);
 }
 
 TEST_F(Foresight, AStopNamesATimeStepThatIsTooLong) {
