@@ -97,7 +97,7 @@ def main():
 A spheroid (semi-axes 5, 2.5, 2.5 mm; E = 10 GPa, nu = 0.3, 2500 kg/m3, e = 0.6) falls with 1 m/s on a fixed one that lies
 flat, itself flat (head-on) or turned by 45 degrees ([SR] Sec. 3.2, time step 1e-7 s). Rigid-body impulse at the first point of
 contact, found by brute force over directions, gives velocity and spin afterwards; the curvature model may change how long
-the contact lasts, not its outcome.""")
+the contact lasts, not its outcome. Without friction (friction = 0): no tangential force acts, whichever law `tangential` names.""")
     figure, axes = plt.subplots(1, 2, figsize=(9.5, 4))
     rows = []
     for side, angle in enumerate((0.0, np.pi / 4)):
