@@ -72,11 +72,10 @@ TouchingSpheres<typename Elements::Sample> touching_spheres(const Elements& elem
     return touching;
 }
 
-/// The contact point of a sphere that touches a field. `sign`: 1 where the sphere's body is i.
-template <class Field>
-ContactPoint sphere_point(std::uint32_t k, const typename SpheresInField<Field>::Sample& s,
-                          const Field& field, double sign, ContactLaw::NodeNormal rule) {
-    const Vec3 gradient = node_normal(field, s.center, s.field, rule);
+/// The contact point of a sphere that touches a field with this gradient. `sign`: 1 where the
+/// sphere's body is i.
+template <class Sample>
+ContactPoint sphere_point(std::uint32_t k, const Sample& s, const Vec3& gradient, double sign) {
     const double overlap = -s.distance;
     return {s.center - (s.radius - 0.5 * overlap) * gradient.normalized(), sign * gradient, overlap,
             k};
@@ -95,9 +94,11 @@ PairContact clump_in_field(const PlacedSpheres& spheres, const Field& field, dou
         if (gap > margin) return keep_apart(gap, memory);
     }
     const SpheresInField<Field> elements{spheres, field};
+    const NodeFrame frame{Mat3::Identity(), Vec3::Zero(), sign};
+    const auto direction = force_direction(field, frame, call, ContactLaw::NodeNormal::gradient);
     const auto touching =
         touching_spheres(elements, margin, memory, [&](std::uint32_t k, const auto& sample) {
-            return sphere_point(k, sample, field, sign, ContactLaw::NodeNormal::gradient);
+            return sphere_point(k, sample, direction(sample.center, sample.field), sign);
         });
     const double radius = touching.deepest.radius;
     return contact_force(touching.points,

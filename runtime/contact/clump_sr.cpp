@@ -117,7 +117,8 @@ PairContact by_distance(const ClumpAndShape& pair, const NodeCall& call) {
     const SpheresInField<OffsetField> elements{spheres, field};
     const auto touching = touching_spheres(
         elements, margin_of(pair) + field.slack, call.memory, [&](std::uint32_t k, const auto& s) {
-            return sphere_point<OffsetField>(k, s, field, pair.sign, call.law.node_normal);
+            return sphere_point(k, s, node_normal(field, s.center, s.field, call.law.node_normal),
+                                pair.sign);
         });
     if (touching.points.empty()) return contact_force(touching.points, 0.0, call);
     const SrField::Sample& s = touching.deepest.field;

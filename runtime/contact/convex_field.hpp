@@ -22,6 +22,10 @@ struct ConvexField : ExactField {
         return {d.distance, turn * d.normal};
     }
     static Vec3 gradient(const Vec3& /*x*/, const Sample& s) { return s.normal; }
+    /// Bodies with edges have creases in their cores, and round the edges of those off.
+    bool may_turn_within(const Sample& s, double way) const {
+        return s.distance + shape->rounding < way && !shape->is_strictly_convex();
+    }
     static bool accepts(const Vec3& /*x*/) { return true; }
 };
 

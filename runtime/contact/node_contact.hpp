@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "runtime/contact/crease.hpp"
 #include "runtime/contact/node_fields.hpp"
 #include "runtime/contact/node_search.hpp"
 #include "runtime/contact_law/contact_point.hpp"
@@ -75,6 +76,24 @@ Vec3 node_normal(const Field& field, const Vec3& x, const typename Field::Sample
     return rule == ContactLaw::NodeNormal::gradient ? gradient : Vec3(gradient.normalized());
 }
 
+/// Direction of the force at a touching point x of the body in this frame, as a function of x and
+/// the sample there: where the field has creases the mean over the step.
+template <class Field>
+auto force_direction(const Field& field, const NodeFrame& frame, const NodeCall& call,
+                     ContactLaw::NodeNormal rule) {
+    using Sample = typename Field::Sample;
+    if constexpr (CreasedField<Field>) {
+        return [&field, way = step_way(call.pair, frame.to_world, frame.center, frame.sign,
+                                       call.dt)](const Vec3& x, const Sample& sample) {
+            return mean_gradient(field, x, sample, way.at(x));
+        };
+    } else {
+        return [&field, rule](const Vec3& x, const Sample& sample) {
+            return node_normal(field, x, sample, rule);
+        };
+    }
+}
+
 /// [SR] Eq. 16: every point gets the direction of the sum of all overlap vectors.
 inline void average_normals(std::span<ContactPoint> points) {
     Vec3 sum = Vec3::Zero();
@@ -90,24 +109,24 @@ TouchingNodes<Field> touching_nodes(const SurfaceNodes& nodes, const Field& fiel
                                     const NodeFrame& frame, double margin, const NodeCall& call) {
     const NodeMemory& memory = call.memory;
     const ContactLaw::NodeNormal rule = call.law.node_normal;
+    const auto direction = force_direction(field, frame, call, rule);
     TouchingNodes<Field> touching;
     std::size_t count = 0;
     double deepest = 0.0;
-    visit_touching_nodes(
-        nodes, field, margin, memory.travel, memory.cache,
-        [&](std::uint32_t k, const typename Field::Sample& sample) {
-            const SurfaceNodes::Node& node = nodes.nodes[k];
-            const Vec3 x(node.x, node.y, node.z);
-            memory.scratch[count++] = {
-                frame.center + frame.to_world * x,
-                frame.sign * (frame.to_world * node_normal(field, x, sample, rule)),
-                -sample.distance, k};
-            if (sample.distance < deepest) {
-                deepest = sample.distance;
-                touching.deepest = k;
-                touching.deepest_sample = sample;
-            }
-        });
+    visit_touching_nodes(nodes, field, margin, memory.travel, memory.cache,
+                         [&](std::uint32_t k, const typename Field::Sample& sample) {
+                             const SurfaceNodes::Node& node = nodes.nodes[k];
+                             const Vec3 x(node.x, node.y, node.z);
+                             memory.scratch[count++] = {
+                                 frame.center + frame.to_world * x,
+                                 frame.sign * (frame.to_world * direction(x, sample)),
+                                 -sample.distance, k};
+                             if (sample.distance < deepest) {
+                                 deepest = sample.distance;
+                                 touching.deepest = k;
+                                 touching.deepest_sample = sample;
+                             }
+                         });
     const std::span<ContactPoint> points(memory.scratch.data(), count);
     if (rule == ContactLaw::NodeNormal::averaged) average_normals(points);
     touching.points = points;

@@ -24,6 +24,10 @@
 ///     double proven_gap(d)        a point at distance d >= 0 now, or farther, does not touch
 ///     before
 ///                                 it has come nearer to the surface by this [m]
+///
+/// and, where its gradient may turn at once (crease.hpp),
+///
+///     bool may_turn_within(sample, way)   whether it may so near to where it was sampled [m]
 namespace dem {
 
 /// The interpolated distance field of a surface of revolution. Only the centre and the axis of the
@@ -157,6 +161,7 @@ struct TubeField : ExactField {
 struct RodField : ExactField {
     struct Sample {
         double distance;
+        double side, end;  ///< distances from the endless rod and beyond the nearer end [m]
     };
 
     Vec3 origin, axis;
@@ -166,8 +171,8 @@ struct RodField : ExactField {
         const AxialPoint p = axial_point(x - origin, axis);
         const double side = p.r - radius;
         const double end = beyond_end(p.z);
-        if (side > 0.0 && end > 0.0) return {math::hypot(side, end)};
-        return {std::max(side, end)};
+        if (side > 0.0 && end > 0.0) return {math::hypot(side, end), side, end};
+        return {std::max(side, end), side, end};
     }
     /// In front of the edge away from it, elsewhere away from the nearer of side and end.
     Vec3 gradient(const Vec3& x, const Sample& s) const {
@@ -177,6 +182,9 @@ struct RodField : ExactField {
         const Vec3 end_normal = p.z > 0.5 * length ? axis : Vec3(-axis);
         if (side > 0.0 && end > 0.0) return (side * p.radial + end * end_normal) / s.distance;
         return side >= end && p.r > 0.0 ? p.radial : end_normal;
+    }
+    static bool may_turn_within(const Sample& s, double way) {
+        return s.distance < way && std::abs(s.side - s.end) < way;
     }
     static bool accepts(const Vec3& /*x*/) { return true; }
 

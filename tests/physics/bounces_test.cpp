@@ -14,17 +14,16 @@
 namespace dem::test {
 namespace {
 
+bool is_angular(Kind k) {
+    return k == Kind::polyhedron || k == Kind::cylinder || k == Kind::cone;
+}
+
 /// Force of a potential that is continuous but has edges: where one face or end takes over from
 /// another the direction turns at once, or within a narrow band where a side is nearly straight,
 /// and a step that passes the place is wrong by up to the force times the way of one step. A
 /// tenfold smaller step makes it ten times less.
 bool has_creases(Kind i, Kind j) {
-    const auto is_angular = [](Kind k) {
-        return k == Kind::polyhedron || k == Kind::cylinder || k == Kind::cone;
-    };
-    if (j == Kind::rod) return i == Kind::nodes || is_angular(i);
-    if (i == Kind::nodes) return j == Kind::nodes || is_angular(j);
-    return is_angular(i) && is_angular(j);
+    return is_angular(i) && (j == Kind::rod || is_angular(j));
 }
 
 struct Bounds {
@@ -33,6 +32,10 @@ struct Bounds {
 Bounds bounds_of(Kind i, Kind j) {
     // Nearly straight sides and faces that rock on a wall: up to 1.5e-3 in thousands of bounces.
     if (is_wall(j) && (i == Kind::smooth || i == Kind::sharp)) return {2e-3, 1e-4};
+    // Nodes share the steps across creases, to second order, and the interpolant of a distance
+    // field has small creases of its own between its cells.
+    if (i == Kind::nodes && (is_angular(j) || j == Kind::rod || j == Kind::nodes))
+        return {1e-3, 1e-4};
     return has_creases(i, j) ? Bounds{2e-2, 1e-3} : Bounds{1e-3, 1e-5};
 }
 
@@ -53,20 +56,25 @@ TEST(Bounces, NoPairOfKindsGainsOrLosesEnergyAtOnce) {
     });
 }
 
-// Seeds that a search for the normal once got wrong.
+// Seeds that a search for the normal or a step across a crease once got wrong.
 TEST(Bounces, PlacesWhereContactsBeganOrEndedAtOnceAreKnown) {
     struct Case {
         Kind i, j;
         std::uint64_t seed;
     };
     constexpr std::array cases = {
-        Case{Kind::sharp, Kind::sharp, 13022},   // a tip slips off the rim of a face
-        Case{Kind::sharp, Kind::sharp, 19797},   //
-        Case{Kind::sharp, Kind::tube, 148},      // two places at a tube become one
-        Case{Kind::sharp, Kind::tube, 6475},     // a face seen edge on, between two places
-        Case{Kind::sharp, Kind::rod, 84},        // an edge slips off the edge of a rod
-        Case{Kind::sharp, Kind::rod, 1428},      // beside the rod, beyond the plane of its end
-        Case{Kind::cylinder, Kind::tube, 833}};  // two places of a rim at a tube
+        Case{Kind::sharp, Kind::sharp, 13022},     // a tip slips off the rim of a face
+        Case{Kind::sharp, Kind::sharp, 19797},     //
+        Case{Kind::sharp, Kind::tube, 148},        // two places at a tube become one
+        Case{Kind::sharp, Kind::tube, 6475},       // a face seen edge on, between two places
+        Case{Kind::sharp, Kind::rod, 84},          // an edge slips off the edge of a rod
+        Case{Kind::sharp, Kind::rod, 1428},        // beside the rod, beyond the plane of its end
+        Case{Kind::cylinder, Kind::tube, 833},     // two places of a rim at a tube
+        Case{Kind::nodes, Kind::cylinder, 298},    // nodes pass from one face to another
+        Case{Kind::nodes, Kind::cylinder, 108},    //
+        Case{Kind::nodes, Kind::cone, 19},         //
+        Case{Kind::nodes, Kind::polyhedron, 288},  //
+        Case{Kind::nodes, Kind::rod, 127}};
     for (const Case& c : cases) {
         BounceSettings settings;
         settings.i = c.i;
