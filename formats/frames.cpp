@@ -92,7 +92,11 @@ class FrameTables {
         file_.make_group(group_);
     }
 
-    std::uint64_t hash() const { return hash_.value(); }
+    /// Of all tables so far and the entry in the index.
+    std::uint64_t hash(const std::string& entry) {
+        hash_.add(entry);
+        return hash_.value();
+    }
 
     XdmfTable add(const std::string& name, std::span<const double> values, std::size_t columns,
                   const char* units) {
@@ -169,6 +173,7 @@ void check_frame(const std::filesystem::path& path, const Hdf5Reader& file,
         if (std::ranges::find(members, name) == members.end()) continue;
         hash.add(file.content(group + "/" + name));
     }
+    hash.add(file.text(group, "xdmf"));
     if (hash.value() == file.number(group, "hash")) return;
     throw Error(path.string(), "has a frame " + group + " that was changed after it was written");
 }
@@ -264,8 +269,8 @@ void FrameWriter::append(const Frame& frame) {
     file.describe(group, "time", frame.time);
     file.describe(group, "step", frame.step);
     file.describe(group, "count", std::uint64_t{frame.position.size()});
-    file.describe(group, "hash", tables.hash());
     const std::string entry = index_.entry(grid);
+    file.describe(group, "hash", tables.hash(entry));
     file.describe(group, "xdmf", entry);
     file.close();
     points_ = grid.cells;

@@ -26,17 +26,20 @@ using TableNames = std::array<const char*, 2>;
 constexpr TableNames frame_tables = {"points", "speed"};
 constexpr TableNames topology_tables = {"triangles", "particle_id"};
 
-std::uint64_t hash_of(std::initializer_list<std::span<const std::byte>> tables) {
+std::uint64_t hash_of(std::initializer_list<std::span<const std::byte>> tables,
+                      const std::string& entry) {
     TableHash hash;
     for (const auto& table : tables) hash.add(table);
+    hash.add(entry);
     return hash.value();
 }
 
-/// Throws Error unless the tables are as they were written.
+/// Throws Error unless the tables, and a frame's entry in the index, are as they were written.
 void check_tables(const std::filesystem::path& path, const Hdf5Reader& file,
-                  const std::string& group, const TableNames& names) {
+                  const std::string& group, const TableNames& names, const std::string& entry) {
     TableHash hash;
     for (const char* name : names) hash.add(file.content(group + "/" + name));
+    hash.add(entry);
     if (hash.value() == file.number(group, "hash")) return;
     throw Error(path.string(), "holds " + group + " that was changed after it was written");
 }
@@ -89,8 +92,8 @@ void SurfaceWriter::take_up(std::uint64_t frames) {
                 later.push_back(group);
                 continue;
             }
-            check_tables(path_, reader, group, frame_tables);
             entries.push_back(reader.text(group, "xdmf"));
+            check_tables(path_, reader, group, frame_tables, entries.back());
             topologies_ = reader.number(group, "topologies");
         }
         std::uint64_t kept = 0;
@@ -100,7 +103,7 @@ void SurfaceWriter::take_up(std::uint64_t frames) {
                 later.push_back(group);
                 continue;
             }
-            check_tables(path_, reader, group, topology_tables);
+            check_tables(path_, reader, group, topology_tables, "");
             ++kept;
         }
         if (kept != topologies_) {
@@ -138,8 +141,9 @@ void SurfaceWriter::write_triangles(const Frame& frame) {
     file.make_group(group);
     file.write(group + "triangles", triangles, 3);
     file.write(group + "particle_id", ids);
-    file.describe(group, "hash",
-                  hash_of({std::as_bytes(std::span(triangles)), std::as_bytes(std::span(ids))}));
+    file.describe(
+        group, "hash",
+        hash_of({std::as_bytes(std::span(triangles)), std::as_bytes(std::span(ids))}, ""));
     file.close();
     known_id_.assign(frame.id.begin(), frame.id.end());
     known_shape_.assign(frame.shape.begin(), frame.shape.end());
@@ -181,8 +185,9 @@ void SurfaceWriter::append(const Frame& frame, const std::string& frame_name) {
           {"speed", "Scalar", "Cell", {place + "speed", speeds.size(), 1, "Float", 4}}}});
     file.describe(group, "time", frame.time);
     file.describe(group, "topologies", topologies_);
-    file.describe(group, "hash",
-                  hash_of({std::as_bytes(std::span(points)), std::as_bytes(std::span(speeds))}));
+    file.describe(
+        group, "hash",
+        hash_of({std::as_bytes(std::span(points)), std::as_bytes(std::span(speeds))}, entry));
     file.describe(group, "xdmf", entry);
     file.close();
     index_.append(entry);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace dem {
 
@@ -18,6 +19,7 @@ class TableHash {
         const std::uint64_t value = hash.value();
         hash_.add(std::span(&value, 1));
     }
+    void add(std::string_view text) { add(std::as_bytes(std::span(text))); }
     std::uint64_t value() const { return hash_.value(); }
 
   private:

@@ -256,6 +256,11 @@ TEST_F(Frames, SurfacesThatWereDamagedAreNotTakenUp) {
                   place + "holds " + group + " that was changed after it was written" + expected);
         write("surfaces.h5", whole);
     }
+    std::string damaged = whole;
+    damaged[whole.find("surfaces.h5:/frames/00000001/speed") + 1] ^= 1;
+    write("surfaces.h5", damaged);
+    EXPECT_EQ(answer(),
+              place + "holds /frames/00000001 that was changed after it was written" + expected);
     for (const std::size_t size : {0UL, 100UL, whole.size() / 2, whole.size() - 1}) {
         write("surfaces.h5", whole.substr(0, size));
         const std::string message = answer();
