@@ -228,5 +228,26 @@ TEST_F(Demrun, AFinishedRunIsLeftAsItIsByResume) {
     EXPECT_FALSE(content(folder_ / "case/final.csv") == before.at("final.csv").second);
 }
 
+TEST_F(Demrun, ABodyThatBeginsToRollDownATenthOfADegreeIsNotAtRest) {
+    write("slope.ini",
+          "[run]\nend_time = 0.3 s\nstop = at_rest\n"
+          "[material.m]\ndensity = 1000\nyoungs_modulus = 5 MPa\npoissons_ratio = 0.3\n"
+          "[contact]\nrestitution = 0.6\nfriction = 0.3\n"
+          "[particles.ball]\nradius = 5 mm\nmaterial = m\ninsert = file\nfile = ball.csv\n"
+          "[wall.slope]\nshape = plane\npoint = 0 0 0\nnormal = 0 0 1\nmaterial = m\n");
+    write("ball.csv", "x,y,z\n0,0,0.005001\n");
+    const auto end_on = [&](const std::string& normal) {
+        const Outcome outcome = demrun(
+            "slope.ini --quiet --force --set output.picture=no --set "
+            "'wall.slope.normal=" +
+            normal + "'");
+        EXPECT_EQ(outcome.code, 0) << outcome.errors;
+        const std::string summary = content(folder_ / "slope/summary.json");
+        return summary.substr(summary.find("\"end\""), 18);
+    };
+    EXPECT_EQ(end_on("0 0 1"), "\"end\": \"at_rest\",\n");
+    EXPECT_EQ(end_on("0.001745 0 1"), "\"end\": \"end_time\",");
+}
+
 }  // namespace
 }  // namespace dem
