@@ -101,7 +101,10 @@ void PendingFile::commit() {
 AtomicFile::AtomicFile(const std::filesystem::path& path) : pending_(path) {
     descriptor_ = open(pending_.temporary_path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
                        S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH);
-    if (descriptor_ < 0) fail(path, "create", errno);
+    if (descriptor_ < 0) {
+        throw Error(path.string(), "cannot create: " + std::generic_category().message(errno) +
+                                       ", expected a folder in which files can be made");
+    }
 }
 
 AtomicFile::~AtomicFile() {

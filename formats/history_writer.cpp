@@ -3,6 +3,7 @@
 
 #include "common/error.hpp"
 #include "formats/csv_rows.hpp"
+#include "formats/file_kind.hpp"
 #include "formats/number_text.hpp"
 
 #include <cerrno>
@@ -31,6 +32,9 @@ HistoryWriter::HistoryWriter(const std::filesystem::path& path,
                              std::span<const std::string> columns, std::uint64_t rows,
                              std::uint64_t hash)
     : path_(path), columns_(columns.size()), rows_(rows) {
+    if (const std::string missing = no_file_at(path); !missing.empty()) {
+        throw Error(path.string(), missing + ", expected the history of the run that is resumed");
+    }
     std::ifstream in(path, std::ios::binary);
     std::string line;
     if (!in || !std::getline(in, line) || line != header(columns)) {

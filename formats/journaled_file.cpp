@@ -77,7 +77,8 @@ JournaledFile::JournaledFile(const PendingFile& file)
     descriptor_ =
         open(file.temporary_path().c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, everybody);
     if (descriptor_ < 0) {
-        throw Error(path_.string(), "cannot create: " + std::generic_category().message(errno));
+        throw Error(path_.string(), "cannot create: " + std::generic_category().message(errno) +
+                                        ", expected a folder in which files can be made");
     }
 }
 

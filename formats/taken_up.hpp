@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/error.hpp"
+#include "formats/file_kind.hpp"
 
 #include <exception>
 #include <filesystem>
@@ -17,6 +18,9 @@ void take_up_or_say_how(const std::filesystem::path& path, const std::string& wh
     const std::string expected = ", expected the " + what +
                                  " before the checkpoint; move the file away and --resume begins "
                                  "a new one";
+    if (const std::string found = no_file_at(path); !found.empty()) {
+        throw Error(path.string(), found + expected);
+    }
     try {
         take_up();
     } catch (const Error& error) {

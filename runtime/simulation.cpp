@@ -120,7 +120,8 @@ void Simulation::check_bodies() const {
             throw Error(here(), "particle " + std::to_string(i) + " is at " + at +
                                     ": not a number; the time step may be too large");
         }
-        throw Error(here(), "particle " + std::to_string(i) + " has left the domain at " + at);
+        throw Error(here(), "particle " + std::to_string(i) + " has left the domain at " + at +
+                                ", expected walls that hold it or a larger domain");
     }
 }
 

@@ -228,6 +228,31 @@ TEST_F(Demrun, AFinishedRunIsLeftAsItIsByResume) {
     EXPECT_FALSE(content(folder_ / "case/final.csv") == before.at("final.csv").second);
 }
 
+TEST_F(Demrun, AResultThatIsMissingOrNoFileIsNamedOnResume) {
+    ASSERT_EQ(demrun("case.ini --quiet --set output.surfaces=yes").code, 0);
+    const auto resume_without = [&](const std::string& name) {
+        fs::rename(folder_ / "case" / name, folder_ / name);
+        fs::create_directory(folder_ / "case" / name);
+        const std::string resume = "timeout 10 " + program("demrun") +
+                                   " case.ini --quiet --resume --set output.surfaces=yes --set "
+                                   "run.end_time=21ms";
+        const Outcome outcome = run_command(resume, folder_);
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_EQ(outcome.errors.find('\n'), outcome.errors.size() - 1) << outcome.errors;
+        EXPECT_TRUE(outcome.errors.starts_with("demrun: error: case/" + name +
+                                               ": is a folder, expected the "))
+            << outcome.errors;
+        fs::remove(folder_ / "case" / name);
+        const Outcome missing = run_command(resume, folder_);
+        fs::rename(folder_ / name, folder_ / "case" / name);
+        return missing.errors;
+    };
+    EXPECT_EQ(resume_without("history.csv"),
+              "demrun: error: case/history.csv: no such file, expected the history of the run that "
+              "is resumed\n");
+    resume_without("surfaces.h5");
+}
+
 TEST_F(Demrun, ABodyThatBeginsToRollDownATenthOfADegreeIsNotAtRest) {
     write("slope.ini",
           "[run]\nend_time = 0.3 s\nstop = at_rest\n"

@@ -89,7 +89,9 @@ TEST_F(AtomicFileTest, AFolderThatDoesNotExistOrAFolderInPlaceOfTheFileIsNamed) 
         write_file(missing, "x");
         FAIL();
     } catch (const Error& e) {
-        EXPECT_EQ(e.what(), missing.string() + ": cannot create: No such file or directory");
+        EXPECT_EQ(e.what(), missing.string() +
+                                ": cannot create: No such file or directory, expected a folder in "
+                                "which files can be made");
     }
     EXPECT_THROW(write_file(folder_, "x"), Error);
 }

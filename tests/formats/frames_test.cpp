@@ -177,9 +177,10 @@ TEST_F(Frames, WhenTheDiskIsFullTheFramesBeforeStayReadable) {
 }
 
 TEST_F(Frames, AFolderThatCannotBeWrittenIsNamed) {
-    EXPECT_EQ(
-        message_of<Error>([&] { FrameWriter(folder_ / "no", context_, shapes_); }),
-        (folder_ / "no" / "frames.h5").string() + ": cannot create: No such file or directory");
+    EXPECT_EQ(message_of<Error>([&] { FrameWriter(folder_ / "no", context_, shapes_); }),
+              (folder_ / "no" / "frames.h5").string() +
+                  ": cannot create: No such file or directory, expected a folder in which files "
+                  "can be made");
     std::filesystem::create_directory(folder_ / "frames.h5");
     const std::string message = message_of<Error>([&] { FrameWriter(folder_, context_, shapes_); });
     EXPECT_EQ(message, (folder_ / "frames.h5").string() +
