@@ -42,6 +42,11 @@ struct EndSearch {
     double room;    ///< otherwise: what comes within this of touching is to be known [m]
 };
 
+/// Of the lines of a core: edges are as thick as the rounding, the axis of a cylinder as its side.
+double thickness(const PlacedCore& core) {
+    return core.has_vertices() ? core.rounding : core.rounding + core.shape.size.x;
+}
+
 /// Overlap of a point of one core, rounded, with the other body; all in the frame of the other.
 FeaturePoint point_against(const Body& body, const Body& other, bool cores_overlap, const Vec3& x,
                            double beyond = std::numeric_limits<double>::infinity()) {
@@ -158,9 +163,10 @@ FeaturePoint deepest_of_cap(const PlacedCap& cap, const PlacedCap& seen, const V
     return from_body(other.core, deepest_of_rim(seen, start, body, other));
 }
 
-/// Where the lines of edges of the other body pass over the rim of an end: the corners of the patch
-/// in which an end and a face meet. The point p of the edge straight above the rim is as far from
-/// the end as it is high, and moves along the edge with the bodies:
+/// Where the lines of edges of the other body, or the side of a cylinder, pass over the rim of an
+/// end: the corners of the patch in which an end and a face, or a side, meet. The point p of the
+/// edge straight above the rim is as far from the end as it is high, and moves along the edge with
+/// the bodies:
 ///     d height / dt = w . (a - m (e.a) / (e.m))
 /// w velocity of the edge relative to the end at p, a outward normal of the end, e direction of the
 /// edge, m outward normal of the rim at p in the plane of the end.
@@ -170,10 +176,17 @@ class RimCrossings {
         : cap_(cap),
           outward_(cap.axis),
           sign_(other.sign),
-          rounding_(other.core.rounding),
-          reach_(body.core.rounding + other.core.rounding) {}
+          thickness_(thickness(other.core)),
+          reach_(body.core.rounding + thickness_),
+          is_thick_(!other.core.has_vertices()) {
+        if (is_thick_) {
+            lying_from_ = 1.0 - square(largest_tilt);
+            lying_range_ = 0.75 * square(largest_tilt);
+        }
+    }
 
-    void add(const EdgeLine& edge, FeatureSum& features) const {
+    void add(const EdgeLine& line, FeatureSum& features) const {
+        const EdgeLine edge = is_thick_ ? without_ends(line) : line;
         const Vec3 start = edge.start - cap_.center;
         const double along = edge.direction.dot(outward_);
         const double sine2 = 1.0 - along * along;
@@ -207,12 +220,12 @@ class RimCrossings {
         const Vec3 m = across / cap_.radius;
         const double pace = m.dot(e);
         const Vec3 direction = outward_ - (e.dot(outward_) / pace) * m;
-        const FeaturePoint p{x - (rounding_ - 0.5 * overlap) * direction, sign_ * direction,
+        const FeaturePoint p{x - (thickness_ - 0.5 * overlap) * direction, sign_ * direction,
                              overlap};
         const double sine2 = 1.0 - square(e.dot(outward_));
         const Ramp at_t = end_ramp(edge, t);
         const Ramp chord((1.0 - nearest.norm() / cap_.radius) / chord_ramp);
-        const Ramp lying(sine2 / lying_sine2);
+        const Ramp lying((sine2 - lying_from_) / lying_range_);
         features.add(p, weight * at_t.value * chord.value * lying.value);
         PairGradient g;
         const double by_t = weight * at_t.slope * chord.value * lying.value;
@@ -225,7 +238,7 @@ class RimCrossings {
             add_shift(edge.start + middle * e, by_distance * nearest.normalized(), features, g);
         }
         if (lying.slope != 0.0) {
-            const double by_sine2 = weight * at_t.value * chord.value * lying.slope / lying_sine2;
+            const double by_sine2 = weight * at_t.value * chord.value * lying.slope / lying_range_;
             const Vec3 turn = 2.0 * by_sine2 * e.cross(outward_.cross(e.cross(outward_)));
             (sign_ > 0.0 ? g.turn_i : g.turn_j) += turn;
             (sign_ > 0.0 ? g.turn_j : g.turn_i) -= turn;
@@ -243,13 +256,25 @@ class RimCrossings {
         g.turn_j -= (x - features.pair().displacement).cross(on_i);
     }
 
-    static constexpr double lying_sine2 = 0.5;
+    /// The part of a line in which the side of its cylinder touches an end that is no more tilted.
+    EdgeLine without_ends(const EdgeLine& line) const {
+        const double part = largest_tilt * thickness_;
+        EdgeLine inner = line;
+        inner.start += part * line.direction;
+        inner.length -= 2.0 * part;
+        inner.ramp = std::min(line.ramp, 0.5 * inner.length);
+        return inner;
+    }
+
+    static constexpr double largest_tilt = 0.05;  // [rad]
 
     const PlacedCap& cap_;
     Vec3 outward_;
-    double sign_;      ///< of the body with the edges
-    double rounding_;  ///< the same
+    double sign_;       ///< of the body with the edges
+    double thickness_;  ///< of those [m]
     double reach_;
+    bool is_thick_;  ///< the side of a cylinder: counts where it lies nearly flat on the end
+    double lying_from_ = 0.0, lying_range_ = 0.5;  ///< squared sines over which they fade in
 };
 
 /// Whether no point of an end comes within `room` of the other body. Those that can lie on the disc
@@ -320,10 +345,8 @@ void add_cap(const PlacedCap& cap, const Body& body, const Body& other, const Ne
     }
     // Corners of the patch count beside the samples: where the deepest point jumps from one to
     // another, they carry.
-    if (other.core.has_vertices()) {
-        const RimCrossings crossings(cap, body, other);
-        for (const EdgeLine& edge : other.side.lines) crossings.add(edge, samples);
-    }
+    const RimCrossings crossings(cap, body, other);
+    for (const EdgeLine& edge : other.side.lines) crossings.add(edge, samples);
     // Where they carry alone, the deepest point of the end would not change a thing.
     if (samples.power() >= 1.5) {
         features.add(samples, 1.0);
@@ -365,10 +388,6 @@ void list_cap(const PlacedCore& core, const Vec3& direction, double depth, std::
     collect_cap(core, direction, depth, start, cap);
     list_faces(core, cap);
     list_lines(core, cap);
-}
-
-double thickness(const PlacedCore& core) {
-    return core.has_vertices() ? core.rounding : core.rounding + core.shape.size.x;
 }
 
 void add_body(const Body& body, const Body& other, const NearCores& near,

@@ -23,20 +23,23 @@ bool is_angular(Kind k) {
 /// and a step that passes the place is wrong by up to the force times the way of one step. A
 /// tenfold smaller step makes it ten times less.
 bool has_creases(Kind i, Kind j) {
-    return is_angular(i) && (j == Kind::rod || is_angular(j));
+    return is_angular(i) && (j == Kind::rod || is_angular(j)) &&
+           !(i == Kind::cylinder && j == Kind::rod);
 }
 
 struct Bounds {
     double jump, mean;
 };
 Bounds bounds_of(Kind i, Kind j) {
-    // Nearly straight sides and faces that rock on a wall: up to 1.5e-3 in thousands of bounces.
-    if (is_wall(j) && (i == Kind::smooth || i == Kind::sharp)) return {2e-3, 1e-4};
-    // Nodes share the steps across creases, to second order, and the interpolant of a distance
-    // field has small creases of its own between its cells.
+    // Faces that rock on a plane, edges that slip off that of a rod, sides about as curved as a
+    // tube: up to 1.5e-3 in thousands.
+    if (i == Kind::sharp && (j == Kind::plane || j == Kind::rod)) return {2e-3, 1e-4};
+    if (i == Kind::smooth && j == Kind::tube) return {2e-3, 1e-5};
+    // Nodes share the steps across the creases of exact fields; those of interpolated ones jump by
+    // up to 3.8e-3 in 3000 bounces.
     if (i == Kind::nodes && (is_angular(j) || j == Kind::rod || j == Kind::nodes))
         return {1e-3, 1e-4};
-    return has_creases(i, j) ? Bounds{2e-2, 1e-3} : Bounds{1e-3, 1e-5};
+    return has_creases(i, j) ? Bounds{1e-2, 1e-4} : Bounds{1e-3, 1e-5};
 }
 
 TEST(Bounces, NoPairOfKindsGainsOrLosesEnergyAtOnce) {
@@ -63,17 +66,20 @@ TEST(Bounces, PlacesWhereContactsBeganOrEndedAtOnceAreKnown) {
         std::uint64_t seed;
     };
     constexpr std::array cases = {
-        Case{Kind::sharp, Kind::sharp, 13022},     // a tip slips off the rim of a face
-        Case{Kind::sharp, Kind::sharp, 19797},     //
-        Case{Kind::sharp, Kind::tube, 148},        // two places at a tube become one
-        Case{Kind::sharp, Kind::tube, 6475},       // a face seen edge on, between two places
-        Case{Kind::sharp, Kind::rod, 84},          // an edge slips off the edge of a rod
-        Case{Kind::sharp, Kind::rod, 1428},        // beside the rod, beyond the plane of its end
-        Case{Kind::cylinder, Kind::tube, 833},     // two places of a rim at a tube
-        Case{Kind::nodes, Kind::cylinder, 298},    // nodes pass from one face to another
-        Case{Kind::nodes, Kind::cylinder, 108},    //
-        Case{Kind::nodes, Kind::cone, 19},         //
-        Case{Kind::nodes, Kind::polyhedron, 288},  //
+        Case{Kind::sharp, Kind::sharp, 13022},      // a tip slips off the rim of a face
+        Case{Kind::sharp, Kind::sharp, 19797},      //
+        Case{Kind::sharp, Kind::tube, 148},         // two places at a tube become one
+        Case{Kind::sharp, Kind::tube, 6475},        // a face seen edge on, between two places
+        Case{Kind::sharp, Kind::rod, 84},           // an edge slips off the edge of a rod
+        Case{Kind::sharp, Kind::rod, 1428},         // beside the rod, beyond the plane of its end
+        Case{Kind::cylinder, Kind::tube, 833},      // two places of a rim at a tube
+        Case{Kind::cylinder, Kind::rod, 2571},      // an end rocks on a side
+        Case{Kind::cylinder, Kind::cylinder, 757},  //
+        Case{Kind::smooth, Kind::plane, 1023},      // a straight side rocks on a plane
+        Case{Kind::nodes, Kind::cylinder, 298},     // nodes pass from one face to another
+        Case{Kind::nodes, Kind::cylinder, 108},     //
+        Case{Kind::nodes, Kind::cone, 19},          //
+        Case{Kind::nodes, Kind::polyhedron, 288},   //
         Case{Kind::nodes, Kind::rod, 127}};
     for (const Case& c : cases) {
         BounceSettings settings;

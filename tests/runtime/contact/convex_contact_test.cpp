@@ -97,6 +97,33 @@ TEST(ConvexContact, ForceAndTorquesAreTheGradientOfTheStoredEnergy) {
     }
 }
 
+// Both far points of the end carry, with weights that fade as it is tilted and towards the ends of
+// the other body.
+TEST(ConvexContact, AnEndThatRocksOnTheSideOfACylinderHasAPotential) {
+    const ConvexSolid end = make_cylinder(1.0, 1.0, 0.05);
+    const ConvexSolid side = make_cylinder(0.5, 3.0, 0.05);
+    Random random(8, 1);
+    int several = 0;
+    for (int k = 0; k < 200; ++k) {
+        const Quat lying = turned(Vec3::UnitY(), 0.5 * pi + random.uniform(-0.06, 0.06));
+        const Vec3 beside(random.uniform(-1.5, 1.5), random.uniform(-1.1, 1.1), 0.0);
+        const auto pair_at = [&](double height) {
+            return PairState{beside + height * Vec3::UnitZ(), still(Quat::Identity()),
+                             still(lying)};
+        };
+        const auto evaluate = [&](const PairState& pair) {
+            return resting_contact(end.shape, side.shape, pair);
+        };
+        const PairState pair =
+            pair_at(place_of(0.01, 4.0, [&](double x) { return evaluate(pair_at(x)).overlap; }));
+        const PairContact contact = evaluate(pair);
+        if (!contact.touches()) continue;
+        several += contact.points > 1 ? 1 : 0;
+        EXPECT_LT(gradient_error(pair, evaluate), 2e-5) << k;
+    }
+    EXPECT_GT(several, 50);
+}
+
 std::vector<ConvexSolid> grains() {
     return {make_cuboid({1.0, 1.4, 0.6}, 0.02), make_cuboid({1.2, 1.0, 0.05}, 0.01),
             make_convex_polyhedron(tetrahedron_corners(1.5), 0.03), random_polyhedron(20, 1, 0.02),
