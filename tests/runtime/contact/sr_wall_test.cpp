@@ -7,6 +7,7 @@
 #include "runtime/contact/sr_rod.hpp"
 #include "runtime/contact/wall_frame.hpp"
 #include "runtime/contact_law/pair_law.hpp"
+#include "runtime/integrator/rigid_body.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
 
 #include <vector>
@@ -193,6 +194,35 @@ TEST(SrWall, ASphereAsSurfaceOfRevolutionTouchesLikeASphere) {
         place(random.uniform(0.0, 8e-3) * local_radial + random.uniform(50.0e-3, 53e-3) * z);
         expect_same(collide(sphere, rod, pair, law, 1e-6, h1),
                     collide(body.shape, rod, pair, law, 1e-6, ContactMemory{h3, miss}));
+    }
+}
+
+TEST(SrWall, AForceAtAPlaneDoesWhatItsOverlapChangesByAlsoWhereABodyRocksOnItsSide) {
+    const SolidBody body = cylinder(3e-3, 8e-3);
+    const ContactLaw law = pair_law({5e7, 0.3}, {5e7, 0.3}, 1.0);
+    const double dt = 1e-5;
+    for (int k = -20; k <= 20; ++k) {
+        PairState pair;
+        pair.i.inverse_inertia = body.inverse(1000.0);
+        pair.i.velocity = Vec3(0.3, 0.0, -0.01);
+        pair.i.angular_velocity = Vec3(0.0, 40.0, 0.0);
+        const double passed = 0.05 * k;  // of a step since the axis was level
+        pair.displacement = Vec3(0.0, 0.0, -3e-3 + 5e-5);
+        const auto contact_at = [&](double steps) {
+            PairState at = pair;
+            at.displacement -= steps * dt * pair.i.velocity;
+            at.i.orientation = rotation(Vec3(0.0, 0.5 * pi + (passed + steps) * dt * 40.0, 0.0));
+            PointHistory history;
+            MissCache miss;
+            return collide(body.shape, PlaneWall{}, at, law, dt, ContactMemory{history, miss});
+        };
+        const PairContact now = contact_at(0.0);
+        ASSERT_TRUE(now.touches());
+        const double work =
+            dt * (now.force.dot(pair.i.velocity) + now.torque_i.dot(pair.i.angular_velocity));
+        const double change = contact_at(0.5).overlap - contact_at(-0.5).overlap;
+        // The ends of the side go up and down by 4 mm * 4e-4 = 1.6e-6 m in a step.
+        EXPECT_NEAR(work / now.force.norm(), -change, 1e-8) << passed;
     }
 }
 
