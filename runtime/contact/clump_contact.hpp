@@ -95,10 +95,10 @@ PairContact clump_in_field(const PlacedSpheres& spheres, const Field& field, dou
     }
     const SpheresInField<Field> elements{spheres, field};
     const NodeFrame frame{Mat3::Identity(), Vec3::Zero(), sign};
-    const auto direction = force_direction(field, frame, call, ContactLaw::NodeNormal::gradient);
+    const auto mean_at = during_step(field, frame, call, ContactLaw::NodeNormal::gradient);
     const auto touching =
         touching_spheres(elements, margin, memory, [&](std::uint32_t k, const auto& sample) {
-            return sphere_point(k, sample, direction(sample.center, sample.field), sign);
+            return sphere_point(k, sample, mean_at(sample.center, sample.field).gradient, sign);
         });
     const double radius = touching.deepest.radius;
     return contact_force(touching.points,

@@ -39,16 +39,22 @@ concept CreasedField = requires(const Field& field, const typename Field::Sample
     { field.may_turn_within(sample, 1.0) } -> std::same_as<bool>;
 };
 
-/// The mean gradient at a point during a step, which it passes on `way` [m], from half a step
-/// before x to half a step after. Where there is no crease nearby, the gradient at x.
+/// What a field is to a point during a step.
+struct StepMean {
+    Vec3 gradient;
+    double distance;  ///< [m]
+};
+
+/// The means at a point during a step, which it passes on `way` [m], from half a step before x to
+/// half a step after. Where there is no crease nearby, what they are at x.
 ///
-/// The mean is that of the gradients at both ends by which the distance changes as it does: of two
-/// faces each counts for its part of the time. The signed distance of a convex body is convex, so
-/// that both parts are between 0 and 1 however many faces come between.
+/// The mean gradient is that of the gradients at both ends by which the distance changes as it
+/// does: of two faces each counts for its part of the time. The signed distance of a convex body is
+/// convex, so that both parts are between 0 and 1 however many faces come between.
 template <CreasedField Field>
-Vec3 mean_gradient(const Field& field, const Vec3& x, const typename Field::Sample& sample,
+StepMean step_mean(const Field& field, const Vec3& x, const typename Field::Sample& sample,
                    const Vec3& way) {
-    const Vec3 here = field.gradient(x, sample);
+    const StepMean here{field.gradient(x, sample), sample.distance};
     if (!field.may_turn_within(sample, way.norm())) return here;
     const Vec3 start = x - 0.5 * way;
     const Vec3 end = x + 0.5 * way;
@@ -59,10 +65,13 @@ Vec3 mean_gradient(const Field& field, const Vec3& x, const typename Field::Samp
     const double turn = way.dot(last - first);
     if (!(turn > 0.0)) return here;
     const double excess = way.dot(last) - (at_end.distance - at_start.distance);
-    const Vec3 mean = last + std::clamp(excess / turn, 0.0, 1.0) * (first - last);
+    const double part = std::clamp(excess / turn, 0.0, 1.0);
+    const Vec3 mean = last + part * (first - last);
     // Between opposite faces nothing would be left that a law could take for a direction.
     constexpr double shortest = 0.1;
-    return mean.squaredNorm() < square(shortest) ? here : mean;
+    if (mean.squaredNorm() < square(shortest)) return here;
+    const double at_crease = at_start.distance + part * way.dot(first);
+    return {mean, 0.5 * (at_crease + part * at_start.distance + (1.0 - part) * at_end.distance)};
 }
 
 }  // namespace dem

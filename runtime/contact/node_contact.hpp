@@ -76,20 +76,20 @@ Vec3 node_normal(const Field& field, const Vec3& x, const typename Field::Sample
     return rule == ContactLaw::NodeNormal::gradient ? gradient : Vec3(gradient.normalized());
 }
 
-/// Direction of the force at a touching point x of the body in this frame, as a function of x and
-/// the sample there: where the field has creases the mean over the step.
+/// Direction of the force at a touching point x of the body in this frame, and its distance, as a
+/// function of x and the sample there: where the field has creases the means over the step.
 template <class Field>
-auto force_direction(const Field& field, const NodeFrame& frame, const NodeCall& call,
-                     ContactLaw::NodeNormal rule) {
+auto during_step(const Field& field, const NodeFrame& frame, const NodeCall& call,
+                 ContactLaw::NodeNormal rule) {
     using Sample = typename Field::Sample;
     if constexpr (CreasedField<Field>) {
         return [&field, way = step_way(call.pair, frame.to_world, frame.center, frame.sign,
                                        call.dt)](const Vec3& x, const Sample& sample) {
-            return mean_gradient(field, x, sample, way.at(x));
+            return step_mean(field, x, sample, way.at(x));
         };
     } else {
         return [&field, rule](const Vec3& x, const Sample& sample) {
-            return node_normal(field, x, sample, rule);
+            return StepMean{node_normal(field, x, sample, rule), sample.distance};
         };
     }
 }
@@ -109,7 +109,7 @@ TouchingNodes<Field> touching_nodes(const SurfaceNodes& nodes, const Field& fiel
                                     const NodeFrame& frame, double margin, const NodeCall& call) {
     const NodeMemory& memory = call.memory;
     const ContactLaw::NodeNormal rule = call.law.node_normal;
-    const auto direction = force_direction(field, frame, call, rule);
+    const auto mean_at = during_step(field, frame, call, rule);
     TouchingNodes<Field> touching;
     std::size_t count = 0;
     double deepest = 0.0;
@@ -117,10 +117,11 @@ TouchingNodes<Field> touching_nodes(const SurfaceNodes& nodes, const Field& fiel
                          [&](std::uint32_t k, const typename Field::Sample& sample) {
                              const SurfaceNodes::Node& node = nodes.nodes[k];
                              const Vec3 x(node.x, node.y, node.z);
+                             const StepMean mean = mean_at(x, sample);
                              memory.scratch[count++] = {
                                  frame.center + frame.to_world * x,
-                                 frame.sign * (frame.to_world * direction(x, sample)),
-                                 -sample.distance, k};
+                                 frame.sign * (frame.to_world * mean.gradient),
+                                 -(mean.distance < 0.0 ? mean.distance : sample.distance), k};
                              if (sample.distance < deepest) {
                                  deepest = sample.distance;
                                  touching.deepest = k;

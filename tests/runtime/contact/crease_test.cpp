@@ -17,18 +17,20 @@ namespace {
 const RodField rod{{0.0}, Vec3::Zero(), Vec3::UnitZ(), 5e-3, 1e-2};
 
 TEST(Crease, EachOfTwoFacesActsForItsPartOfTheStep) {
-    // Half a step before x the side is nearer by 3 um, half a step after the end by 1 um.
+    // Half a step before x the side is nearer by 1 um, half a step after the end by 3 um.
     const Vec3 x(5e-3 - 1e-4, 0.0, 1e-2 - 1e-4 + 1e-6);
     const Vec3 way(-2e-6, 0.0, 2e-6);
-    const Vec3 mean = mean_gradient(rod, x, rod.sample(x), way);
-    EXPECT_NEAR(mean.x(), 0.25, 1e-6);
-    EXPECT_NEAR(mean.z(), 0.75, 1e-6);
-    EXPECT_EQ(mean.y(), 0.0);
+    const StepMean mean = step_mean(rod, x, rod.sample(x), way);
+    EXPECT_NEAR(mean.gradient.x(), 0.25, 1e-6);
+    EXPECT_NEAR(mean.gradient.z(), 0.75, 1e-6);
+    EXPECT_EQ(mean.gradient.y(), 0.0);
+    // From -99 um down to -99.5 um at the crease, and up to -98 um.
+    EXPECT_NEAR(mean.distance, -1e-6 * (0.25 * 99.25 + 0.75 * 98.75), 1e-12);
 }
 
 TEST(Crease, AStepThatEndsBeforeACreaseKeepsTheGradientOfItsFace) {
     const Vec3 x(5e-3 - 1e-4, 0.0, 1e-2 - 1e-4 + 2.1e-6);
-    const Vec3 mean = mean_gradient(rod, x, rod.sample(x), Vec3(-2e-6, 0.0, 2e-6));
+    const Vec3 mean = step_mean(rod, x, rod.sample(x), Vec3(-2e-6, 0.0, 2e-6)).gradient;
     EXPECT_EQ(mean, Vec3::UnitZ());
 }
 
@@ -36,7 +38,7 @@ TEST(Crease, AStepThatEndsBeforeACreaseKeepsTheGradientOfItsFace) {
 /// and where several faces come into one step.
 template <class Field>
 void expect_work_of(const Field& field, const Vec3& x, const Vec3& way) {
-    const Vec3 mean = mean_gradient(field, x, field.sample(x), way);
+    const Vec3 mean = step_mean(field, x, field.sample(x), way).gradient;
     const double change =
         field.sample(x + 0.5 * way).distance - field.sample(x - 0.5 * way).distance;
     EXPECT_NEAR(mean.dot(way), change, 1e-6 * way.norm()) << x.transpose();
@@ -75,7 +77,7 @@ TEST(Crease, AStrictlyConvexBodyHasNone) {
     const ConvexSolid solid = make_ellipsoid(Vec3(3e-3, 2e-3, 1e-3));
     const ConvexField field{{0.0}, &solid.shape, Mat3::Identity(), Vec3::Zero()};
     const Vec3 x(1e-4, 2e-4, -3e-4);
-    EXPECT_EQ(mean_gradient(field, x, field.sample(x), Vec3(1e-3, 0.0, 1e-3)),
+    EXPECT_EQ(step_mean(field, x, field.sample(x), Vec3(1e-3, 0.0, 1e-3)).gradient,
               field.gradient(x, field.sample(x)));
 }
 
