@@ -2,6 +2,7 @@
 #include "runtime/contact/convex_round.hpp"
 
 #include "common/math/elementary.hpp"
+#include "runtime/contact/rim_crossings.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -41,11 +42,6 @@ struct EndSearch {
     bool is_known;  ///< of all ends and samples
     double room;    ///< otherwise: what comes within this of touching is to be known [m]
 };
-
-/// Of the lines of a core: edges are as thick as the rounding, the axis of a cylinder as its side.
-double thickness(const PlacedCore& core) {
-    return core.has_vertices() ? core.rounding : core.rounding + core.shape.size.x;
-}
 
 /// Overlap of a point of one core, rounded, with the other body; all in the frame of the other.
 FeaturePoint point_against(const Body& body, const Body& other, bool cores_overlap, const Vec3& x,
@@ -163,120 +159,6 @@ FeaturePoint deepest_of_cap(const PlacedCap& cap, const PlacedCap& seen, const V
     return from_body(other.core, deepest_of_rim(seen, start, body, other));
 }
 
-/// Where the lines of edges of the other body, or the side of a cylinder, pass over the rim of an
-/// end: the corners of the patch in which an end and a face, or a side, meet. The point p of the
-/// edge straight above the rim is as far from the end as it is high, and moves along the edge with
-/// the bodies:
-///     d height / dt = w . (a - m (e.a) / (e.m))
-/// w velocity of the edge relative to the end at p, a outward normal of the end, e direction of the
-/// edge, m outward normal of the rim at p in the plane of the end.
-class RimCrossings {
-  public:
-    RimCrossings(const PlacedCap& cap, const Body& body, const Body& other)
-        : cap_(cap),
-          outward_(cap.axis),
-          sign_(other.sign),
-          thickness_(thickness(other.core)),
-          reach_(body.core.rounding + thickness_),
-          is_thick_(!other.core.has_vertices()) {
-        if (is_thick_) {
-            lying_from_ = 1.0 - square(largest_tilt);
-            lying_range_ = 0.75 * square(largest_tilt);
-        }
-    }
-
-    void add(const EdgeLine& line, FeatureSum& features) const {
-        const EdgeLine edge = is_thick_ ? without_ends(line) : line;
-        const Vec3 start = edge.start - cap_.center;
-        const double along = edge.direction.dot(outward_);
-        const double sine2 = 1.0 - along * along;
-        if (sine2 < least_sine2) return;
-        const Vec3 e = edge.direction - along * outward_;
-        const Vec3 p = start - start.dot(outward_) * outward_;
-        const double middle = -p.dot(e) / sine2;  // where the line is nearest to the axis
-        const Vec3 nearest = p + middle * e;
-        const double distance = nearest.norm();
-        if (!(distance < cap_.radius)) return;
-        const double half = std::sqrt((square(cap_.radius) - square(distance)) / sine2);
-        for (const double t : {middle - half, middle + half}) {
-            if (t > 0.0 && t < edge.length) add_at(edge, t, nearest, features);
-        }
-    }
-
-  private:
-    /// Crossings fade where the line leaves the end, over this part of its radius.
-    static constexpr double chord_ramp = 0.1;
-    /// Enough for one crossing to make the deepest point of its end superfluous (add_blended):
-    /// where that jumps from a crossing to a place elsewhere, the force does not.
-    static constexpr double weight = 1.5;
-
-    void add_at(const EdgeLine& edge, double t, const Vec3& nearest, FeatureSum& features) const {
-        const Vec3& e = edge.direction;
-        const Vec3 x = edge.start + t * e;
-        const double height = (x - cap_.center).dot(outward_);
-        const double overlap = reach_ - height;
-        if (!(overlap > 0.0) || height <= 0.0) return;
-        const Vec3 across = x - cap_.center - height * outward_;
-        const Vec3 m = across / cap_.radius;
-        const double pace = m.dot(e);
-        const Vec3 direction = outward_ - (e.dot(outward_) / pace) * m;
-        const FeaturePoint p{x - (thickness_ - 0.5 * overlap) * direction, sign_ * direction,
-                             overlap};
-        const double sine2 = 1.0 - square(e.dot(outward_));
-        const Ramp at_t = end_ramp(edge, t);
-        const Ramp chord((1.0 - nearest.norm() / cap_.radius) / chord_ramp);
-        const Ramp lying((sine2 - lying_from_) / lying_range_);
-        features.add(p, weight * at_t.value * chord.value * lying.value);
-        PairGradient g;
-        const double by_t = weight * at_t.slope * chord.value * lying.value;
-        if (by_t != 0.0) add_shift(x, -by_t / pace * m, features, g);
-        const double by_distance =
-            -weight * at_t.value * chord.slope * lying.value / (chord_ramp * cap_.radius);
-        if (by_distance != 0.0) {
-            // From the axis to the line, square to both.
-            const double middle = t - m.dot(e) * cap_.radius / sine2;
-            add_shift(edge.start + middle * e, by_distance * nearest.normalized(), features, g);
-        }
-        if (lying.slope != 0.0) {
-            const double by_sine2 = weight * at_t.value * chord.value * lying.slope / lying_range_;
-            const Vec3 turn = 2.0 * by_sine2 * e.cross(outward_.cross(e.cross(outward_)));
-            (sign_ > 0.0 ? g.turn_i : g.turn_j) += turn;
-            (sign_ > 0.0 ? g.turn_j : g.turn_i) -= turn;
-        }
-        if (by_t != 0.0 || by_distance != 0.0 || lying.slope != 0.0)
-            features.add_weight_gradient(p, g);
-    }
-
-    /// A number that grows by `by` . (velocity of the edge relative to the end at x).
-    void add_shift(const Vec3& x, const Vec3& by, const FeatureSum& features,
-                   PairGradient& g) const {
-        const Vec3 on_i = sign_ * by;
-        g.shift += on_i;
-        g.turn_i += x.cross(on_i);
-        g.turn_j -= (x - features.pair().displacement).cross(on_i);
-    }
-
-    /// The part of a line in which the side of its cylinder touches an end that is no more tilted.
-    EdgeLine without_ends(const EdgeLine& line) const {
-        const double part = largest_tilt * thickness_;
-        EdgeLine inner = line;
-        inner.start += part * line.direction;
-        inner.length -= 2.0 * part;
-        inner.ramp = std::min(line.ramp, 0.5 * inner.length);
-        return inner;
-    }
-
-    static constexpr double largest_tilt = 0.05;  // [rad]
-
-    const PlacedCap& cap_;
-    Vec3 outward_;
-    double sign_;       ///< of the body with the edges
-    double thickness_;  ///< of those [m]
-    double reach_;
-    bool is_thick_;  ///< the side of a cylinder: counts where it lies nearly flat on the end
-    double lying_from_ = 0.0, lying_range_ = 0.5;  ///< squared sines over which they fade in
-};
-
 /// Whether no point of an end comes within `room` of the other body. Those that can lie on the disc
 /// above the height `least` along `towards`, which leaves of it a segment around its highest point.
 bool is_out_of_reach(const PlacedCap& cap, double least, double room, const Body& body,
@@ -345,7 +227,7 @@ void add_cap(const PlacedCap& cap, const Body& body, const Body& other, const Ne
     }
     // Corners of the patch count beside the samples: where the deepest point jumps from one to
     // another, they carry.
-    const RimCrossings crossings(cap, body, other);
+    const RimCrossings crossings(cap, other.core, other.sign);
     for (const EdgeLine& edge : other.side.lines) crossings.add(edge, samples);
     // Where they carry alone, the deepest point of the end would not change a thing.
     if (samples.power() >= 1.5) {
@@ -454,7 +336,7 @@ void add_round(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
     add_body(body_i, body_j, near, deepest, search, others);
     add_body(body_j, body_i, near, deepest, search, others);
     if (room > 0.0) history.leash = leash_at(features.pair(), room);
-    if (!near.cores_overlap) add_edges(scratch, near, thickness(i), thickness(j), others);
+    if (!near.cores_overlap) add_edges(scratch, near, line_thickness(i), line_thickness(j), others);
     add_remaining(deepest, others, features);
 }
 

@@ -54,7 +54,7 @@ struct StepMean {
 template <CreasedField Field>
 StepMean step_mean(const Field& field, const Vec3& x, const typename Field::Sample& sample,
                    const Vec3& way) {
-    const StepMean here{field.gradient(x, sample), sample.distance};
+    StepMean here{field.gradient(x, sample), sample.distance};
     if (!field.may_turn_within(sample, way.norm())) return here;
     const Vec3 start = x - 0.5 * way;
     const Vec3 end = x + 0.5 * way;
