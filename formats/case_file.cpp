@@ -16,14 +16,14 @@ namespace {
 /// Larger files are something else by mistake; the largest cases people write are a few kB.
 constexpr std::size_t most_megabytes = 16;
 
-bool is_blank(char c) {
+bool separates(char c) {
     return c == ' ' || c == '\t';
 }
 
 std::string_view without_comment(std::string_view line) {
     for (std::size_t k = 0; k < line.size(); ++k) {
         const bool starts = line[k] == '#' || line[k] == ';';
-        if (starts && (k == 0 || is_blank(line[k - 1]))) return line.substr(0, k);
+        if (starts && (k == 0 || separates(line[k - 1]))) return line.substr(0, k);
     }
     return line;
 }

@@ -138,7 +138,7 @@ struct NamedShape {
     Segments (*make)(const ShapeParameters&);
 };
 
-const std::vector<NamedShape>& shapes() {
+const std::vector<NamedShape>& named_shapes() {
     static const std::vector<NamedShape> list{
         {"sphere", {"radius", "diameter"}, sphere},
         {"spheroid", {"a", "c"}, spheroid},
@@ -157,7 +157,7 @@ const std::vector<NamedShape>& shapes() {
 }  // namespace
 
 ProfileDraft named_shape(const ProfileText& text) {
-    const NamedShape& shape = find_named(text, shapes());
+    const NamedShape& shape = find_named(text, named_shapes());
     check_parameters(text, shape.parameters);
     if (!text.statements.empty())
         throw Error(text.place(text.statements.front().line),

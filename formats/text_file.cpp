@@ -32,7 +32,7 @@ class Source {
     /// Bytes read, once there are some; 0 at the end, negative for an error.
     ssize_t read_some(char* to, std::size_t most) const {
         for (;;) {
-            const ssize_t size = read(descriptor_, to, most);
+            const ssize_t size = ::read(descriptor_, to, most);
             if (size >= 0 || (errno != EAGAIN && errno != EINTR)) return size;
             pollfd writer{descriptor_, POLLIN, 0};
             poll(&writer, 1, -1);

@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/overlap.hpp"
 
+#include "common/format.hpp"
 #include "common/math/elementary.hpp"
 #include "runtime/domain.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 
 namespace dem {
 
 namespace {
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-    char buffer[256];
-    std::snprintf(buffer, sizeof buffer, format, values...);
-    return buffer;
-}
 
 double sphere_radius(const Scene& scene, std::uint32_t kind) {
     return 0.5 * equivalent_diameter(scene.shapes[scene.kinds[kind].shape].mass_properties.volume);
@@ -40,10 +33,10 @@ std::string rounded_up(double value, const char* unit) {
     while (value < 10.0 * digit) digit /= 10.0;
     while (value >= 100.0 * digit) digit *= 10.0;
     const double rounded = digit * std::ceil(value / digit * (1.0 - 1e-9));
-    if (unit[0] != 'P' || rounded < 1e3) return formatted("%.6g %s", rounded, unit);
+    if (unit[0] != 'P' || rounded < 1e3) return format("%.6g %s", rounded, unit);
     const double scale = rounded < 1e6 ? 1e3 : rounded < 1e9 ? 1e6 : 1e9;
     const char* prefix = rounded < 1e6 ? "k" : rounded < 1e9 ? "M" : "G";
-    return formatted("%.6g %s%s", rounded / scale, prefix, unit);
+    return format("%.6g %s%s", rounded / scale, prefix, unit);
 }
 
 /// The stiffness of the scene times `factor`, as the case file would say it.
@@ -220,7 +213,7 @@ std::string overlap_cause(const Scene& scene, const Encounter& e, double speed, 
     // time.
     if (speed * dt > 0.2 * overlap) {
         const double duration = contact_time(scene, e, speed);
-        return formatted(
+        return format(
             "the time step of %.2g s is too long for a contact at %.3g m/s, expected %.2g s or "
             "less",
             dt, speed, duration / steps_per_contact);
@@ -230,9 +223,8 @@ std::string overlap_cause(const Scene& scene, const Encounter& e, double speed, 
     const double load = load_overlap(scene, e, Bed(scene).load(e.smaller_radius));
     const double factor = std::max(
         {impact_factor(scene, e, impact), load_factor(scene, e, load), foreseen_factor(scene, e)});
-    return "the material is too soft" +
-           formatted(" (they approach at %.3g m/s), expected ", speed) + stiffer(scene, e, factor) +
-           ", or a larger overlap_limit";
+    return "the material is too soft" + format(" (they approach at %.3g m/s), expected ", speed) +
+           stiffer(scene, e, factor) + ", or a larger overlap_limit";
 }
 
 std::string foreseen_overlap(const Scene& scene) {
@@ -246,7 +238,7 @@ std::string foreseen_overlap(const Scene& scene) {
             keep_larger(load, load_depth, e, kind);
         });
     if (impact.overlap == 0.0 && load.overlap == 0.0) return "";
-    std::string text = formatted(
+    std::string text = format(
         "overlap: up to about %.2g %% of the radius in impacts at %.3g m/s, %.2g %% under the "
         "weight "
         "of all bodies; a run stops at %.3g %%\n",

@@ -2,6 +2,7 @@
 #include "runtime/simulation.hpp"
 
 #include "common/error.hpp"
+#include "common/format.hpp"
 #include "common/state_hash.hpp"
 #include "common/text.hpp"
 #include "runtime/broad_phase/margins.hpp"
@@ -12,7 +13,6 @@
 #include "runtime/overlap.hpp"
 
 #include <atomic>
-#include <cstdio>
 #include <utility>
 
 namespace dem {
@@ -27,13 +27,6 @@ std::vector<double> surface_reach(const Scene& scene) {
         reach.push_back(is_sphere ? 0.0 : shape.bounding_radius);
     }
     return reach;
-}
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-    char buffer[256];
-    std::snprintf(buffer, sizeof buffer, format, values...);
-    return buffer;
 }
 
 }  // namespace
@@ -115,7 +108,7 @@ void Simulation::check_bodies() const {
                                     " is not a number; its spin may be too large");
         }
         if (domain_.contains(x)) continue;
-        const std::string at = formatted("(%.4g %.4g %.4g) m", x.x(), x.y(), x.z());
+        const std::string at = format("(%.4g %.4g %.4g) m", x.x(), x.y(), x.z());
         if (!x.allFinite()) {
             throw Error(here(), "particle " + std::to_string(i) + " is at " + at +
                                     ": not a number; the time step may be too large");
@@ -151,15 +144,15 @@ void Simulation::check_overlap() const {
                               (particles_.velocity[i] - other).norm(), relative, dt_);
     }
     throw Error(here(), "particle " + std::to_string(i) + " and " + partner +
-                            formatted(" overlap by %.1f %% of the smaller radius, at most %.3g %% "
-                                      "expected; ",
-                                      100.0 * relative, 100.0 * scene_.run.overlap_limit) +
+                            format(" overlap by %.1f %% of the smaller radius, at most %.3g %% "
+                                   "expected; ",
+                                   100.0 * relative, 100.0 * scene_.run.overlap_limit) +
                             cause);
 }
 
 std::string Simulation::here() const {
     return scene_.case_path +
-           formatted(": step %llu, time %.9g s", static_cast<unsigned long long>(steps_), time());
+           format(": step %llu, time %.9g s", static_cast<unsigned long long>(steps_), time());
 }
 
 std::uint64_t Simulation::state_hash() const {

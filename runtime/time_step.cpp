@@ -16,8 +16,6 @@ namespace dem {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 double equivalent_radius(const Scene& scene, const BodyKind& kind) {
     return 0.5 * equivalent_diameter(scene.shapes[kind.shape].mass_properties.volume);
 }

@@ -140,12 +140,12 @@ double turned_sine(const ReducedAngle& r, unsigned more) {
     return (quarter & 2U) == 0 ? value : -value;
 }
 
-constexpr double negligible = 0x1p-27;  // below, sin x is x and cos x is 1 to less than an ulp / 4
+constexpr double small_angle = 0x1p-27;  // below, sin x is x and cos x is 1 to less than an ulp / 4
 
 }  // namespace
 
 double sin(double x) {
-    if (std::abs(x) < negligible) return x;  // keeps the sign of zero
+    if (std::abs(x) < small_angle) return x;  // keeps the sign of zero
     if (!std::isfinite(x)) return x - x;
     return turned_sine(reduced(x), 0U);
 }
@@ -156,7 +156,7 @@ double cos(double x) {
 }
 
 SineCosine sin_cos(double x) {
-    if (std::abs(x) < negligible) return {x, 1.0};
+    if (std::abs(x) < small_angle) return {x, 1.0};
     if (!std::isfinite(x)) return {x - x, x - x};
     const ReducedAngle r = reduced(x);
     const double s = sine(r.angle);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -46,6 +47,7 @@ struct StoredVec3 {
 };
 
 inline constexpr double pi = 3.14159265358979323846;
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
 inline constexpr double square(double x) {
     return x * x;

@@ -2,6 +2,7 @@
 #include "common/shapes/arcs.hpp"
 
 #include "common/math/elementary.hpp"
+#include "common/math/plane.hpp"
 #include "common/shapes/profile_curves.hpp"
 
 #include <cmath>
@@ -9,10 +10,6 @@
 
 namespace dem {
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 double angle_of(const Vec2& v) {
     return math::atan2(v.y(), v.x());

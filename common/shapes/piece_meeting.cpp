@@ -2,6 +2,7 @@
 #include "common/shapes/piece_meeting.hpp"
 
 #include "common/math/elementary.hpp"
+#include "common/math/plane.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,10 +22,6 @@ double chord_distance(const ProfilePiece& a, const ProfilePiece& b) {
     return std::min(
         std::min(distance_to_chord(a.from, b.from, b.to), distance_to_chord(a.to, b.from, b.to)),
         std::min(distance_to_chord(b.from, a.from, a.to), distance_to_chord(b.to, a.from, a.to)));
-}
-
-double angle_between(const Vec2& a, const Vec2& b) {
-    return math::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
 }
 
 }  // namespace

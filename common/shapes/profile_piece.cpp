@@ -2,6 +2,7 @@
 #include "common/shapes/profile_piece.hpp"
 
 #include "common/math/elementary.hpp"
+#include "common/math/plane.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +13,6 @@ namespace {
 
 constexpr double largest_turn = 0.1;  // [rad]
 constexpr double shortest_part = 1e-4;
-
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
-double angle_between(const Vec2& a, const Vec2& b) {
-    return math::atan2(std::abs(cross(a, b)), a.dot(b));
-}
 
 const EllipseArc* as_circle(const ProfileSegment& segment) {
     const auto* arc = std::get_if<EllipseArc>(&segment);

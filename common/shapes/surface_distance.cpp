@@ -11,8 +11,6 @@
 namespace dem {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
     const double length = v.norm();
     return length > 0.0 ? Vec3(v / length) : otherwise;

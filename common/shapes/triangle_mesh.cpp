@@ -4,12 +4,12 @@
 namespace dem {
 namespace {
 
-struct Corners {
+struct Vertices {
     Vec3 a, b, c;
 };
 
-Corners corners(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle,
-                const Vec3& origin) {
+Vertices corners(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle,
+                 const Vec3& origin) {
     return {mesh.vertices[triangle[0]] - origin, mesh.vertices[triangle[1]] - origin,
             mesh.vertices[triangle[2]] - origin};
 }

@@ -15,14 +15,14 @@ namespace {
 
 /// Shapes that one thread reads at a time: some 10 us each and more.
 constexpr std::size_t shapes_at_a_time = 4;
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t not_there = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
 
 ShapeLibrary::ShapeLibrary(const std::string& path)
-    : file_(path), input_hash_(file_->head().input_hash), in_scene_(file_->size(), none) {}
+    : file_(path), input_hash_(file_->head().input_hash), in_scene_(file_->size(), not_there) {}
 
-ShapeLibrary::ShapeLibrary(double radius) : radius_(radius), in_scene_(1, none) {}
+ShapeLibrary::ShapeLibrary(double radius) : radius_(radius), in_scene_(1, not_there) {}
 
 std::string ShapeLibrary::name(std::size_t index) const {
     return file_ ? file_->name(index) : std::string("sphere");
@@ -50,7 +50,7 @@ std::vector<std::uint32_t> ShapeLibrary::take(std::span<const std::size_t> indic
     const std::size_t first = scene.shapes.size();
     std::vector<std::size_t> fresh;
     for (const std::size_t index : indices) {
-        if (in_scene_[index] != none) continue;
+        if (in_scene_[index] != not_there) continue;
         in_scene_[index] = static_cast<std::uint32_t>(first + fresh.size());
         fresh.push_back(index);
     }

@@ -48,8 +48,8 @@ struct ContactLaw {
     enum class DampingMass : std::uint8_t { contact, reduced };
     enum class MultiContact : std::uint8_t { norm, sum, deepest };
     enum class Radius : std::uint8_t { onset, local, equivalent };
-    /// Direction of the force at a node (METHODS 4): gradient of the interpolant, the same
-    /// normalised, interpolated distance vectors, averaged over the contact nodes [SR] Eq. 16.
+    /// Direction of the force at a node (docs/contact-nodes.md): gradient of the interpolant, the
+    /// same normalized, interpolated distance vectors, averaged over the contact nodes [SR] Eq. 16.
     enum class NodeNormal : std::uint8_t { gradient, normalized, vectors, averaged };
 
     Model model = Model::hertz;

@@ -59,7 +59,6 @@ void collect_cap(const PlacedCore& core, const Vec3& direction, double depth, In
                  ConvexCap& cap) {
     const ConvexShape& shape = core.shape;
     cap.edges.clear();
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     Vec3 low = Vec3::Constant(infinite);
     Vec3 high = -low;
     const auto include = [&](const Vec3& x) {

@@ -10,10 +10,9 @@ namespace dem {
 namespace {
 
 using Index = std::uint32_t;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// One body of the pair as the cap of the other sees it.
-struct Side {
+struct LoneSide {
     const PlacedCore& core;
     const NearVertices& near;
     Vec3 towards;  ///< unit, to the other body, body frame
@@ -23,7 +22,8 @@ struct Side {
 /// How far the edges from a vertex, but those that skip(end) names, reach within the cap [m];
 /// without end if one ends in it.
 template <class Skip>
-double clip_reach(const Side& side, Index vertex, double farthest, double depth, const Skip& skip) {
+double clip_reach(const LoneSide& side, Index vertex, double farthest, double depth,
+                  const Skip& skip) {
     const ConvexShape& shape = side.core.shape;
     const double behind = farthest - shape.vertices[vertex].dot(side.towards);
     if (!(behind < depth)) return infinite;
@@ -42,7 +42,7 @@ double clip_reach(const Side& side, Index vertex, double farthest, double depth,
 
 /// Whether a ball about x above the face comes near nothing else of the body: the edges of the face
 /// lie `far` from its foot, and those that leave it downwards end sooner.
-bool is_well_above(const Side& side, Index face, const Vec3& x, double far, double depth) {
+bool is_well_above(const LoneSide& side, Index face, const Vec3& x, double far, double depth) {
     const ConvexShape& shape = side.core.shape;
     const Index begin = shape.face_begin[face];
     const Index size = shape.face_begin[face + 1] - begin;
@@ -85,8 +85,8 @@ Index highest_face(const ConvexShape& shape, Index vertex, const Vec3& x, double
     return best;
 }
 
-bool add_lone_vertex(const Side& side, const Side& other, const NearCores& near, double room,
-                     FeatureSum& features, LoneFeature& lone) {
+bool add_lone_vertex(const LoneSide& side, const LoneSide& other, const NearCores& near,
+                     double room, FeatureSum& features, LoneFeature& lone) {
     const double reach = side.core.rounding + other.core.rounding + room;
     const double depth = near.deepest + room;
     const ConvexShape& shape = other.core.shape;
@@ -115,7 +115,7 @@ struct LoneEdge {
     double clip;    ///< [m]
 };
 
-bool is_lone_edge(const Side& side, double depth, LoneEdge& edge) {
+bool is_lone_edge(const LoneSide& side, double depth, LoneEdge& edge) {
     const ConvexShape& shape = side.core.shape;
     const Index a = side.near.vertex[0];
     const Index b = side.near.vertex[1];
@@ -141,7 +141,7 @@ bool is_farther(const Vec3& x, const LoneEdge& edge, double distance) {
     return (x - edge.from - t * along).squaredNorm() > square(distance);
 }
 
-bool add_lone_edges(const Side& i, const Side& j, const NearCores& near, double room,
+bool add_lone_edges(const LoneSide& i, const LoneSide& j, const NearCores& near, double room,
                     FeatureSum& features, LoneFeature& lone) {
     LoneEdge a{};
     LoneEdge b{};
@@ -159,7 +159,7 @@ bool add_lone_edges(const Side& i, const Side& j, const NearCores& near, double 
     return true;
 }
 
-bool add_lone(const Side& i, const Side& j, const NearCores& near, double room,
+bool add_lone(const LoneSide& i, const LoneSide& j, const NearCores& near, double room,
               FeatureSum& features, LoneFeature& lone) {
     if (near.i.count == 1) return add_lone_vertex(i, j, near, room, features, lone);
     if (near.j.count == 1) return add_lone_vertex(j, i, near, room, features, lone);
@@ -287,8 +287,8 @@ bool add_contenders(const PlacedCore& i, const PlacedCore& j, const ConvexScratc
 
 bool add_lone_feature(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
                       FeatureSum& features, LoneFeature& lone, Leash& leash) {
-    const Side side_i{i, near.i, i.direction_in_body(-near.normal), 1.0};
-    const Side side_j{j, near.j, j.direction_in_body(near.normal), -1.0};
+    const LoneSide side_i{i, near.i, i.direction_in_body(-near.normal), 1.0};
+    const LoneSide side_j{j, near.j, j.direction_in_body(near.normal), -1.0};
     const double room = leash_room(i, j);
     if (add_lone(side_i, side_j, near, room, features, lone)) {
         leash = leash_at(features.pair(), room);

@@ -14,8 +14,6 @@ namespace dem {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 // ---- A plane, or a disc.
 
 struct Plane {

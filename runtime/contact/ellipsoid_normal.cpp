@@ -9,12 +9,12 @@ namespace dem {
 namespace {
 
 /// One side: radius of the core along n, its support point and second derivative.
-struct Side {
+struct CoreSupport {
     double s = 0.0;
     Vec3 x = Vec3::Zero();
     Mat3 second = Mat3::Zero();
 
-    Side(const RoundEllipsoid& e, const Vec3& n, bool with_second) {
+    CoreSupport(const RoundEllipsoid& e, const Vec3& n, bool with_second) {
         const Vec3 mn = e.m * n;
         const double s2 = n.dot(mn);
         if (s2 == 0.0) return;  // a point
@@ -39,7 +39,8 @@ constexpr int most_steps = 60;
 
 /// Newton's step in the tangent plane, the second derivative lifted to `floor` where f is not
 /// convex.
-Vec3 newton_step(const Side& i, const Side& j, const Vec3& d, const Vec3& n, double floor) {
+Vec3 newton_step(const CoreSupport& i, const CoreSupport& j, const Vec3& d, const Vec3& n,
+                 double floor) {
     const Tangents t(n);
     const Vec3 gradient = i.x + j.x - d;
     const Mat3 second = i.second + j.second;
@@ -64,7 +65,8 @@ Vec3 newton_step(const Side& i, const Side& j, const Vec3& d, const Vec3& n, dou
 
 double overlap_along(const RoundEllipsoid& i, const RoundEllipsoid& j, const Vec3& d,
                      const Vec3& n) {
-    return Side(i, n, false).s + Side(j, n, false).s + i.rounding + j.rounding - n.dot(d);
+    return CoreSupport(i, n, false).s + CoreSupport(j, n, false).s + i.rounding + j.rounding -
+           n.dot(d);
 }
 
 EllipsoidNormal common_normal(const RoundEllipsoid& i, const RoundEllipsoid& j, const Vec3& d,
@@ -74,8 +76,8 @@ EllipsoidNormal common_normal(const RoundEllipsoid& i, const RoundEllipsoid& j, 
     Vec3 n = start.normalized();
     double f = overlap_along(i, j, d, n);
     for (int k = 0; k < most_steps; ++k) {
-        const Side side_i(i, n, true);
-        const Side side_j(j, n, true);
+        const CoreSupport side_i(i, n, true);
+        const CoreSupport side_j(j, n, true);
         const Vec3 step = newton_step(side_i, side_j, d, n, 1e-3 * size);
         const double slope = (side_i.x + side_j.x - d).dot(step);
         if (f < 0.0 && slope > 0.5 * f) break;
@@ -93,8 +95,8 @@ EllipsoidNormal common_normal(const RoundEllipsoid& i, const RoundEllipsoid& j, 
         n = ahead;
         f = f_ahead;
     }
-    const Vec3 x_i = Side(i, n, false).x + i.rounding * n;
-    const Vec3 x_j = d - Side(j, n, false).x - j.rounding * n;
+    const Vec3 x_i = CoreSupport(i, n, false).x + i.rounding * n;
+    const Vec3 x_j = d - CoreSupport(j, n, false).x - j.rounding * n;
     return {n, f, 0.5 * (x_i + x_j)};
 }
 

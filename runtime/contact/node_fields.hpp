@@ -82,7 +82,7 @@ struct SrField {
         const double n_z = std::clamp(normal.dot(axis), -1.0, 1.0);
         const double n_r = std::sqrt(1.0 - n_z * n_z);
         const SupportPoint s = support_point(shape.support, n_r, n_z);
-        // The support map's crowned flats differ from the body by 3e-5 l at most (METHODS 2).
+        // The support map's crowned flats differ from the body by 3e-5 l at most (docs/contact.md).
         floor_offset =
             normal.dot(center) + s.r * n_r + s.z * n_z + slack + 1e-4 * shape.major_axis_length;
         floor_normal = normal;

@@ -12,8 +12,8 @@ namespace dem {
 /// support map in closed form, any other from the nearest point of its curvature table.
 double mean_curvature_near(const SrShape& shape, double r, double z, double n_r, double n_z);
 
-/// Curvature as it enters R*: 1/H kept within [0.01, 5] equivalent diameters (METHODS 2), so that
-/// edges, faces and hollows give finite stiffness.
+/// Curvature as it enters R*: 1/H kept within [0.01, 5] equivalent diameters (docs/contact.md,
+/// "Effective radius"), so that edges, faces and hollows give finite stiffness.
 inline double contact_curvature(double mean_curvature, double equivalent_diameter) {
     return std::clamp(mean_curvature, 0.2 / equivalent_diameter, 100.0 / equivalent_diameter);
 }

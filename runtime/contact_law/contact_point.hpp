@@ -46,11 +46,12 @@ static_assert(std::is_trivially_copyable_v<PatchHistory>);
 /// nothing.
 using ContactScratch = std::vector<ContactPoint>;
 
-/// Force of one contact point (Hertz-Mindlin, METHODS 3). `local_radius` is R* at this place now.
+/// Force of one contact point (docs/contact.md, "Force law"). `local_radius` is R* at this
+/// place now.
 PairContact contact_force(const ContactPoint& point, double local_radius, const PairState& pair,
                           const ContactLaw& law, double dt, PointHistory& history);
 
-/// Force of all contact points of a pair together (METHODS 3, "many contact points on one pair").
+/// Force of all contact points of a pair together (docs/contact.md, "Many points").
 /// `points` are in the order of their features. No points: clears the history.
 PairContact contact_force(std::span<const ContactPoint> points, double local_radius,
                           const PairState& pair, const ContactLaw& law, double dt,

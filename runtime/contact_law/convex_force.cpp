@@ -2,6 +2,7 @@
 #include "runtime/contact/convex_patch.hpp"
 #include "runtime/contact_law/contact_mass.hpp"
 #include "runtime/contact_law/hertz_mindlin.hpp"
+#include "runtime/contact_law/point_force.hpp"
 
 namespace dem {
 
@@ -17,11 +18,6 @@ struct Patch {
     double spread2;  ///< [m^2]
     hertz::Coefficients c;
 };
-
-Vec3 relative_velocity(const PairState& pair, const Vec3& r_i) {
-    return pair.i.velocity - pair.j.velocity + pair.i.angular_velocity.cross(r_i) -
-           pair.j.angular_velocity.cross(r_i - pair.displacement);
-}
 
 void add_normal(const FeatureSum& features, const ContactLaw& law, double dt, Patch& patch,
                 PairContact& contact) {

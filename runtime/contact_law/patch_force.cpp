@@ -29,11 +29,6 @@ double power_16(double x) {
     return std::copysign(square(square(square(square(x)))), x);
 }
 
-Vec3 relative_velocity(const PairState& pair, const Vec3& r_i) {
-    return pair.i.velocity - pair.j.velocity + pair.i.angular_velocity.cross(r_i) -
-           pair.j.angular_velocity.cross(r_i - pair.displacement);
-}
-
 /// What one point contributes.
 struct Share {
     Vec3 velocity;        ///< relative, at the point [m/s]

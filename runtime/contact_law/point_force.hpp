@@ -17,13 +17,18 @@ struct PointMotion {
     hertz::TangentialInertia tangential;
 };
 
+/// Velocity of i relative to j at a point of lever r_i from the centre of i [m/s].
+inline Vec3 relative_velocity(const PairState& pair, const Vec3& r_i) {
+    return pair.i.velocity - pair.j.velocity + pair.i.angular_velocity.cross(r_i) -
+           pair.j.angular_velocity.cross(r_i - pair.displacement);
+}
+
 /// Motion at a point of lever r_i from the centre of i with a unit normal; the mass is left out.
 inline PointMotion motion_at(const PairState& pair, const Vec3& r_i, const Vec3& normal,
                              double overlap) {
     PointMotion m;
     m.normal = normal;
-    m.velocity = pair.i.velocity - pair.j.velocity + pair.i.angular_velocity.cross(r_i) -
-                 pair.j.angular_velocity.cross(r_i - pair.displacement);
+    m.velocity = relative_velocity(pair, r_i);
     m.overlap = overlap;
     m.overlap_rate = -m.velocity.dot(normal);
     m.inverse_mass = 0.0;

@@ -105,8 +105,8 @@ Placements file_rows(const Scene& scene, std::uint32_t group_index, const Partic
 }
 
 Aabb everywhere() {
-    const Vec3 infinite = Vec3::Constant(std::numeric_limits<double>::infinity());
-    return {-infinite, infinite};
+    const Vec3 corner = Vec3::Constant(infinite);
+    return {-corner, corner};
 }
 
 }  // namespace

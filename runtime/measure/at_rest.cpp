@@ -8,7 +8,6 @@
 namespace dem {
 
 namespace {
-constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Kinetic energy of a resting body, in m g d.
 constexpr double resting_energy = 1e-6;
 /// The same of one that rocks in place, the way that its center may go, in d, and for how long it

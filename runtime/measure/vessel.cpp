@@ -12,7 +12,6 @@ namespace dem {
 namespace {
 
 constexpr double upright = 1.0 - 1e-9;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Vec3 axis_of(const Wall& wall) {
     return wall.orientation * Vec3::UnitZ();

@@ -11,8 +11,8 @@
 namespace dem {
 namespace {
 
-constexpr double per_diameter = 200.0;  // cells, of which the union has a few millions
-constexpr double most_growth = 0.005;   // [d_eq]
+constexpr double union_cells = 200.0;  // per d_eq: the union has a few millions
+constexpr double most_growth = 0.005;  // [d_eq]
 
 /// Cells of the union of balls that grow by a length, each up to its own largest radius.
 class GrowingUnion {
@@ -62,7 +62,7 @@ void match_volume(const SurfaceQuery& surface, double d_eq, const FitOptions& op
     const Vec3 margin = Vec3::Constant(options.protrusion + most);
     box.lower -= margin;
     box.upper += margin;
-    const VoxelGrid grid = enclosing_grid(box, d_eq / per_diameter);
+    const VoxelGrid grid = enclosing_grid(box, d_eq / union_cells);
     const auto wanted = static_cast<double>(voxelize(surface.mesh(), grid).count());
     const GrowingUnion all(surface, grid, options, balls);
     double before = 0.0;

@@ -19,7 +19,7 @@ using Kind = GranularOptions::Kind;
 using Base = GranularOptions::Base;
 
 constexpr int fewest_corners = 5;
-constexpr int most_corners = 20;
+constexpr int most_sand_corners = 20;
 constexpr double sand_aspect_ratio = 3.0;  // of the prolate ellipsoid, [GC 9]
 /// Few: at the minimum of the energy all grains of equal count would be alike.
 constexpr int relaxing_rounds = 10;
@@ -59,7 +59,7 @@ void relax(std::vector<Vec3>& points, const Vec3& axes) {
 }
 
 std::vector<Vec3> sand_corners(const GranularOptions& options, Random& random) {
-    const double count = random.uniform(fewest_corners, most_corners + 1);
+    const double count = random.uniform(fewest_corners, most_sand_corners + 1);
     const double radius = 0.5 * options.size;
     const double thin = radius / math::cbrt(sand_aspect_ratio);
     const Vec3 axes = options.base == Base::sphere ? Vec3(radius, radius, radius)

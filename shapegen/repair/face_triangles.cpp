@@ -35,10 +35,6 @@ using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<
         CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>, FaceBase>,
     CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
-bool is_before(const Vec3& a, const Vec3& b) {
-    return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
-}
-
 /// The outline seen along the axis that it faces most, counter-clockwise.
 std::vector<Point2> flattened(const Outline& outline, const std::vector<Vec3>& points) {
     Vec3 normal = Vec3::Zero();  // Newell's sum

@@ -14,10 +14,6 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-bool is_before(const Vec3& a, const Vec3& b) {
-    return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
-}
-
 /// Renumbers corners, then drops unused points; the others keep their order.
 void renumber(TriangleSoup& soup, const std::vector<std::uint32_t>& new_name) {
     constexpr auto unused = ~std::uint32_t{0};

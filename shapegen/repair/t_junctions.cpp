@@ -12,11 +12,12 @@
 namespace dem {
 namespace {
 
-using Points = std::vector<std::uint32_t>;
+using PointIndices = std::vector<std::uint32_t>;
 
 /// The ends of the open edges, sorted by each coordinate, to look up those near an edge.
-std::array<Points, 3> sorted_ends(const TriangleSoup& soup, const std::vector<EdgeSide>& edges) {
-    std::array<Points, 3> sorted;
+std::array<PointIndices, 3> sorted_ends(const TriangleSoup& soup,
+                                        const std::vector<EdgeSide>& edges) {
+    std::array<PointIndices, 3> sorted;
     for (const EdgeSide& edge : edges) {
         sorted[0].push_back(edge.low);
         sorted[0].push_back(edge.high);
@@ -25,7 +26,7 @@ std::array<Points, 3> sorted_ends(const TriangleSoup& soup, const std::vector<Ed
     sorted[0].erase(std::unique(sorted[0].begin(), sorted[0].end()), sorted[0].end());
     sorted[1] = sorted[2] = sorted[0];
     for (int axis = 0; axis < 3; ++axis) {
-        Points& points = sorted[static_cast<std::size_t>(axis)];
+        PointIndices& points = sorted[static_cast<std::size_t>(axis)];
         std::stable_sort(points.begin(), points.end(), [&](std::uint32_t a, std::uint32_t b) {
             return soup.points[a][axis] < soup.points[b][axis];
         });
@@ -35,11 +36,11 @@ std::array<Points, 3> sorted_ends(const TriangleSoup& soup, const std::vector<Ed
 
 /// The points in the slab around an edge that holds the fewest: of the three across the axes.
 std::span<const std::uint32_t> candidates(const TriangleSoup& soup,
-                                          const std::array<Points, 3>& sorted, const Vec3& low,
-                                          const Vec3& high) {
+                                          const std::array<PointIndices, 3>& sorted,
+                                          const Vec3& low, const Vec3& high) {
     std::span<const std::uint32_t> fewest = sorted[0];
     for (int axis = 0; axis < 3; ++axis) {
-        const Points& points = sorted[static_cast<std::size_t>(axis)];
+        const PointIndices& points = sorted[static_cast<std::size_t>(axis)];
         const auto first = std::partition_point(points.begin(), points.end(), [&](std::uint32_t p) {
             return soup.points[p][axis] < low[axis];
         });
@@ -53,8 +54,8 @@ std::span<const std::uint32_t> candidates(const TriangleSoup& soup,
 }
 
 /// The open points inside the edge from a to b, from a to b.
-Points points_on_edge(const TriangleSoup& soup, const std::array<Points, 3>& sorted,
-                      std::pair<std::uint32_t, std::uint32_t> ends, double distance) {
+PointIndices points_on_edge(const TriangleSoup& soup, const std::array<PointIndices, 3>& sorted,
+                            std::pair<std::uint32_t, std::uint32_t> ends, double distance) {
     const Vec3& a = soup.points[ends.first];
     const Vec3& b = soup.points[ends.second];
     const Vec3 ab = b - a;
@@ -69,7 +70,7 @@ Points points_on_edge(const TriangleSoup& soup, const std::array<Points, 3>& sor
         if ((offset - along / length * ab).norm() <= distance) found.emplace_back(along, point);
     }
     std::sort(found.begin(), found.end());
-    Points on_edge;
+    PointIndices on_edge;
     for (const auto& [along, point] : found) on_edge.push_back(point);
     return on_edge;
 }
@@ -77,7 +78,7 @@ Points points_on_edge(const TriangleSoup& soup, const std::array<Points, 3>& sor
 /// Splits every triangle at one of its edges at most. Returns whether any was split.
 bool split_once(TriangleSoup& soup, double distance, Finding& finding) {
     const std::vector<EdgeSide> edges = open_edges(soup);
-    const std::array<Points, 3> sorted = sorted_ends(soup, edges);
+    const std::array<PointIndices, 3> sorted = sorted_ends(soup, edges);
     const std::size_t before = soup.triangles.size();
     std::vector<bool> is_split(before, false);
     for (const EdgeSide& edge : edges) {
@@ -87,7 +88,7 @@ bool split_once(TriangleSoup& soup, double distance, Finding& finding) {
         const std::uint32_t a = soup.triangles[triangle][side];
         const std::uint32_t b = soup.triangles[triangle][(side + 1) % 3];
         const std::uint32_t tip = soup.triangles[triangle][(side + 2) % 3];
-        Points on_edge = points_on_edge(soup, sorted, {a, b}, distance);
+        PointIndices on_edge = points_on_edge(soup, sorted, {a, b}, distance);
         std::erase(on_edge, tip);
         if (on_edge.empty()) continue;
         if (finding.count == 0) finding.place = soup.points[on_edge.front()];

@@ -2,6 +2,7 @@
 #include "shapegen/revolution/arc_spline.hpp"
 
 #include "common/math/elementary.hpp"
+#include "common/math/plane.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +19,6 @@ struct Biarc {
     SupportPiece first, second;
     Vec2 joint_normal;
 };
-
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 SupportPiece circle(const Vec2& point, const Vec2& normal, double radius) {
     return {point.x() - radius * normal.x(), point.y() - radius * normal.y(), radius, radius};

@@ -15,8 +15,8 @@ namespace dem {
 double mean_curvature(const Profile& profile, std::size_t segment, double t);
 
 /// H kept to |1/H| >= 0.01 equivalent diameters, as templates store it: at an edge or a tip the
-/// surface has no curvature radius, and a contact there must stay finite. The other limit of
-/// METHODS 2, 1/H <= 5 equivalent diameters, is applied at the contact: it has no sign.
+/// surface has no curvature radius, and a contact there must stay finite. The other limit,
+/// 1/H <= 5 equivalent diameters, is applied at the contact: it has no sign.
 double stored_mean_curvature(double mean_curvature, double equivalent_diameter);
 
 /// H along the profile. A sharp edge is three samples at one arc length: the surface before it, the

@@ -8,9 +8,9 @@
 namespace dem {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point2 = Kernel::Point_2;
-using Point3 = Kernel::Point_3;
+using ExactKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point2 = ExactKernel::Point_2;
+using Point3 = ExactKernel::Point_3;
 
 Point2 flat(const Vec3& p) {
     return {p.x(), p.y()};
@@ -53,7 +53,7 @@ bool SurfaceQuery::is_inside(const Vec3& p) const {
         const auto side = CGAL::orientation(solid(a), solid(b), solid(c), solid(p));
         if (side == CGAL::COPLANAR && may_hold_p &&
             !CGAL::collinear(solid(a), solid(b), solid(c)) &&
-            Kernel::Triangle_3(solid(a), solid(b), solid(c)).has_on(solid(p)))
+            ExactKernel::Triangle_3(solid(a), solid(b), solid(c)).has_on(solid(p)))
             is_on_surface = true;
         // The orientation is positive above a triangle that turns counter-clockwise.
         if (turn != 0 && static_cast<int>(side) * turn < 0) winding += turn;

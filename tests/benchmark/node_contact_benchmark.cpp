@@ -157,7 +157,7 @@ std::vector<std::uint32_t> stencils(const SurfaceNodes& nodes) {
     return result;
 }
 
-/// The deepest node by a walk over the stencils from last step's: METHODS' warm start, which finds
+/// The deepest node by a walk over the stencils from last step's: a warm start, which finds
 /// one node and proves nothing about the others.
 void stencil_walk(benchmark::State& state) {
     const SrShape& shape = candy(2000);

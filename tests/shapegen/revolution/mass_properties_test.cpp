@@ -15,7 +15,7 @@ void expect_relative(double value, double expected, double tolerance) {
 }
 
 TEST(RevolutionMass, TabletHasThePublishedMass) {
-    // METHODS 2: lengths in mm, density 1191.3 kg/m^3.
+    // By quadrature of another program: lengths in mm, density 1191.3 kg/m^3.
     const auto m = revolution_mass(sample::tablet(5.675e-3, 4.0e-3, 1.23e-3)).mass_properties;
     EXPECT_NEAR(m.volume, 5.311042e-7, 1e-13);
     EXPECT_NEAR(1191.3 * m.volume, 6.327044e-4, 1e-10);
@@ -63,7 +63,7 @@ TEST(RevolutionMass, SimpleSolidsHaveTheirClosedForms) {
     const double c = 3.395;
     const auto candy = revolution_mass(sample::spheroid(a, c)).mass_properties;
     const double volume = 4.0 / 3.0 * pi * a * a * c;
-    expect_relative(volume * 1e-9, 6.166517e-7, 1e-6);  // METHODS 2
+    expect_relative(volume * 1e-9, 6.166517e-7, 1e-6);
     expect_relative(candy.volume, volume, 1e-13);
     expect_relative(candy.principal_moments_per_density.x(), 0.2 * volume * (a * a + c * c), 1e-13);
     expect_relative(candy.principal_moments_per_density.z(), 0.4 * volume * a * a, 1e-13);
