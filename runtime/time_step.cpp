@@ -3,7 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/math/elementary.hpp"
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/law/pair_law.hpp"
 #include "runtime/domain.hpp"
 
 #include <algorithm>

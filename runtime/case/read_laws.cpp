@@ -2,7 +2,7 @@
 #include "common/error.hpp"
 #include "common/text.hpp"
 #include "runtime/case/scene_sections.hpp"
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/law/pair_law.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/insertion/occupancy.hpp"
 
-#include "runtime/contact/touch.hpp"
+#include "runtime/contact/pairs/touch.hpp"
 #include "runtime/walls/wall_distance.hpp"
 
 namespace dem {

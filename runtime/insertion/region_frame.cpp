@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/insertion/region_frame.hpp"
 
-#include "runtime/contact/touch.hpp"
+#include "runtime/contact/pairs/touch.hpp"
 
 namespace dem {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/measure/fill_height.hpp"
 
-#include "runtime/contact/touch.hpp"
+#include "runtime/contact/pairs/touch.hpp"
 #include "runtime/measure/height_map.hpp"
 #include "runtime/measure/solid_fraction.hpp"
 

@@ -2,7 +2,7 @@
 #include "runtime/narrow_phase/narrow_phase.hpp"
 
 #include "common/threads/thread_team.hpp"
-#include "runtime/contact/clump_contact.hpp"
+#include "runtime/contact/fields/clump_contact.hpp"
 #include "runtime/loop_grain.hpp"
 #include "runtime/walls/wall_distance.hpp"
 

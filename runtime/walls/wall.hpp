@@ -3,7 +3,7 @@
 
 #include "common/math/types.hpp"
 #include "runtime/contact/contact_types.hpp"
-#include "runtime/contact/wall_shapes.hpp"
+#include "runtime/contact/walls/wall_shapes.hpp"
 
 #include <cstdint>
 #include <limits>

@@ -71,7 +71,7 @@ ParticleTemplate cook_sr(const Profile& profile, ParticleTemplate shape,
     if (sr.is_convex) sr.support = support_map(profile);
 
     // A sphere touches a shape that is not convex where the field says that its centre is near
-    // enough (runtime/contact/sphere_sr_nodes.hpp): spheres of up to this radius.
+    // enough (runtime/contact/pairs/sphere_sr_nodes.hpp): spheres of up to this radius.
     const double reach = sr.is_convex ? 0.0 : 0.2 * sr.major_axis_length;
     sr.sdf = signed_distance_field(profile, options.resolution, reach);
     const double interface_size = sr.major_axis_length / options.resolution.interface;

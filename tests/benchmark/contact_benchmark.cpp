@@ -2,10 +2,10 @@
 /// Nanoseconds per call of the contact kernels on one core, over 1024 different pairs each, so that
 /// branches are not learnt by heart.
 #include "common/random.hpp"
-#include "runtime/contact/sphere_sphere.hpp"
-#include "runtime/contact/sr_sr_continuous.hpp"
-#include "runtime/contact/sr_wall.hpp"
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/law/pair_law.hpp"
+#include "runtime/contact/pairs/sphere_sphere.hpp"
+#include "runtime/contact/pairs/sr_sr_continuous.hpp"
+#include "runtime/contact/pairs/sr_wall.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
 
 #include <vector>

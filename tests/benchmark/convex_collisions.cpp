@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/error.hpp"
-#include "runtime/contact/convex_convex.hpp"
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/law/pair_law.hpp"
+#include "runtime/contact/pairs/convex_convex.hpp"
 #include "tests/physics/convex_combinations.hpp"
 #include "tests/physics/two_bodies.hpp"
 

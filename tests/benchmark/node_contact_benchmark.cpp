@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/random.hpp"
-#include "runtime/contact/sr_sr_nodes.hpp"
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/law/pair_law.hpp"
+#include "runtime/contact/pairs/sr_sr_nodes.hpp"
 #include "tests/physics/two_bodies.hpp"
 #include "tests/runtime/contact/sr_fixture.hpp"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/random.hpp"
 #include "formats/profile_file.hpp"
-#include "runtime/contact/node_fields.hpp"
-#include "runtime/contact/node_search.hpp"
-#include "runtime/contact/sr_sr_continuous.hpp"
-#include "runtime/contact/sr_sr_nodes.hpp"
-#include "runtime/contact/sr_wall.hpp"
-#include "runtime/contact/sr_wall_nodes.hpp"
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/fields/node_fields.hpp"
+#include "runtime/contact/fields/node_search.hpp"
+#include "runtime/contact/law/pair_law.hpp"
+#include "runtime/contact/pairs/sr_sr_continuous.hpp"
+#include "runtime/contact/pairs/sr_sr_nodes.hpp"
+#include "runtime/contact/pairs/sr_wall.hpp"
+#include "runtime/contact/pairs/sr_wall_nodes.hpp"
 #include "shapegen/pipeline/cook.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/random.hpp"
 #include "runtime/checkpoint/state_archive.hpp"
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/law/pair_law.hpp"
 #include "runtime/measure/energy.hpp"
 #include "runtime/simulation.hpp"
 #include "tests/runtime/simulation/scenes.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/random.hpp"
-#include "runtime/contact/clump_clump.hpp"
-#include "runtime/contact/clump_wall.hpp"
-#include "runtime/contact/sphere_wall.hpp"
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/law/pair_law.hpp"
+#include "runtime/contact/pairs/clump_clump.hpp"
+#include "runtime/contact/pairs/clump_wall.hpp"
+#include "runtime/contact/pairs/sphere_wall.hpp"
 #include "tests/physics/two_bodies.hpp"
 #include "tests/runtime/contact/sample_clumps.hpp"
 

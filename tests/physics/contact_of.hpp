@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "runtime/contact/clump_clump.hpp"
-#include "runtime/contact/clump_wall.hpp"
-#include "runtime/contact/convex_convex.hpp"
-#include "runtime/contact/convex_wall.hpp"
-#include "runtime/contact/sphere_sphere.hpp"
-#include "runtime/contact/sphere_wall.hpp"
-#include "runtime/contact/sr_sr_continuous.hpp"
-#include "runtime/contact/sr_sr_nodes.hpp"
-#include "runtime/contact/sr_wall.hpp"
-#include "runtime/contact/sr_wall_nodes.hpp"
+#include "runtime/contact/pairs/clump_clump.hpp"
+#include "runtime/contact/pairs/clump_wall.hpp"
+#include "runtime/contact/pairs/convex_convex.hpp"
+#include "runtime/contact/pairs/convex_wall.hpp"
+#include "runtime/contact/pairs/sphere_sphere.hpp"
+#include "runtime/contact/pairs/sphere_wall.hpp"
+#include "runtime/contact/pairs/sr_sr_continuous.hpp"
+#include "runtime/contact/pairs/sr_sr_nodes.hpp"
+#include "runtime/contact/pairs/sr_wall.hpp"
+#include "runtime/contact/pairs/sr_wall_nodes.hpp"
 
 #include <functional>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/error.hpp"
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/law/pair_law.hpp"
 #include "runtime/measure/energy.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/time_step.hpp"

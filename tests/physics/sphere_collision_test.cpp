@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/random.hpp"
-#include "runtime/contact/sphere_sphere.hpp"
-#include "runtime/contact/sphere_wall.hpp"
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/law/pair_law.hpp"
+#include "runtime/contact/pairs/sphere_sphere.hpp"
+#include "runtime/contact/pairs/sphere_wall.hpp"
 #include "tests/physics/two_bodies.hpp"
 
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/random.hpp"
-#include "runtime/contact/sr_sr_continuous.hpp"
-#include "runtime/contact/sr_wall.hpp"
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/law/pair_law.hpp"
+#include "runtime/contact/pairs/sr_sr_continuous.hpp"
+#include "runtime/contact/pairs/sr_wall.hpp"
 #include "tests/physics/two_bodies.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/physics/bounces/bounce.hpp"
 
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/law/pair_law.hpp"
 #include "runtime/time_step.hpp"
 #include "runtime/walls/wall_distance.hpp"
 #include "tests/physics/bounces/interaction.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/physics/bounces/interaction.hpp"
 
-#include "runtime/contact/clump_contact.hpp"
+#include "runtime/contact/fields/clump_contact.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "runtime/case/region.hpp"
 #include "runtime/case/scene_summary.hpp"
 #include "runtime/case/values.hpp"
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/law/pair_law.hpp"
 #include "tests/formats/sample_template.hpp"
 #include "tests/formats/temporary_folder.hpp"
 #include "tests/runtime/case/case_text.hpp"

@@ -2,7 +2,7 @@
 #include "runtime/insertion/inserter.hpp"
 
 #include "common/random.hpp"
-#include "runtime/contact/touch.hpp"
+#include "runtime/contact/pairs/touch.hpp"
 #include "runtime/insertion/occupancy.hpp"
 #include "runtime/measure/fill_height.hpp"
 #include "runtime/measure/solid_fraction.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/law/pair_law.hpp"
 #include "runtime/integrator/rigid_body.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/time_step.hpp"

@@ -3,7 +3,7 @@
 
 #include "common/random.hpp"
 #include "common/shapes/sdf_quadtree.hpp"
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/law/pair_law.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
 #include "tests/runtime/contact/sample_clumps.hpp"
 #include "tests/runtime/contact/sr_fixture.hpp"

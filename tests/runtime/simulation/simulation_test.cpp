@@ -2,7 +2,7 @@
 #include "runtime/simulation.hpp"
 
 #include "common/error.hpp"
-#include "runtime/contact_law/pair_law.hpp"
+#include "runtime/contact/law/pair_law.hpp"
 #include "runtime/measure/at_rest.hpp"
 #include "runtime/measure/contact_count.hpp"
 #include "runtime/measure/energy.hpp"

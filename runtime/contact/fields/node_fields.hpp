@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/math/elementary.hpp"
+#include "common/shapes/sdf_quadtree.hpp"
+#include "common/shapes/sr_shape.hpp"
+#include "common/shapes/support_map.hpp"
+#include "runtime/contact/contact_types.hpp"
+#include "runtime/contact/fields/sdf_vectors.hpp"
+#include "runtime/contact/walls/wall_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+/// The surfaces that the nodes of a body are tested against, each placed in the frame of that body
+/// (so nodes are never moved). A field offers
+///
+///     Sample sample(x)            .distance: signed, negative inside [m]; and what follows from it
+///     Vec3 gradient(x, sample)    of the distance, exact
+///     bool accepts(x)             false where the surface has been cut off (a rim)
+///     double slack                distance(x) - distance(y) <= |x - y| + slack, y near the surface
+///     double floor(x)             cheap lower bound of the distance, or -infinity [m]
+///     double proven_gap(d)        a point at distance d >= 0 now, or farther, does not touch
+///     before
+///                                 it has come nearer to the surface by this [m]
+///
+/// and, where its gradient may turn at once (crease.hpp),
+///
+///     bool may_turn_within(sample, way)   whether it may so near to where it was sampled [m]
+namespace dem {
+
+/// The interpolated distance field of a surface of revolution. Only the centre and the axis of the
+/// other body matter ([SR] Lemma 1).
+struct SrField {
+    struct Sample : SdfSample {
+        double r;  ///< distance from the axis [m]
+        double z;  ///< along the axis, from the centre [m]
+    };
+
+    const SdfQuadtree* sdf;
+    Vec3 center;  ///< [m]
+    Vec3 axis;    ///< unit
+    double slack;
+    /// A plane with the whole body behind it, if one has been set.
+    Vec3 floor_normal = Vec3::Zero();
+    double floor_offset = std::numeric_limits<double>::infinity();
+
+    SrField(const SrShape& shape, const Vec3& slave_center, const Vec3& slave_axis)
+        : sdf(&shape.sdf),
+          center(slave_center),
+          axis(slave_axis),
+          slack(sdf->lipschitz_slack +
+                (sdf->surface_band > 0.0 ? sdf->surface_slack : sdf->lipschitz_slack)) {}
+
+    Sample sample(const Vec3& x) const {
+        const Vec3 d = x - center;
+        const double z = d.dot(axis);
+        // Not sqrt(d^2 - z^2), which loses half the digits near the axis.
+        const double r = (d - z * axis).norm();
+        return {interpolate(*sdf, r, z), r, z};
+    }
+    Vec3 gradient(const Vec3& x, const Sample& s) const { return in_space(x, s, s.d_dr, s.d_dz); }
+
+    /// A direction (r, z) of the half plane through x; nothing points away from the axis on it.
+    Vec3 in_space(const Vec3& x, const Sample& s, double along_r, double along_z) const {
+        const Vec3 radial = x - center - s.z * axis;
+        return (s.r > 0.0 ? along_r / s.r : 0.0) * radial + along_z * axis;
+    }
+    /// [SR] Sec. 2.4: interpolated distance vector [m].
+    Vec3 distance_vector(const Vec3& x, const Sample& s) const {
+        const Vec2 d = interpolated_distance_vector(*sdf, s.r, s.z);
+        return in_space(x, s, d.x(), d.y());
+    }
+    static bool accepts(const Vec3& /*x*/) { return true; }
+
+    double floor(const Vec3& x) const { return x.dot(floor_normal) - floor_offset; }
+
+    /// Sets the floor to the tangent plane of a convex shape with the given outward unit normal.
+    void set_floor(const SrShape& shape, const Vec3& normal) {
+        if (shape.support.pieces.empty()) return;
+        const double n_z = std::clamp(normal.dot(axis), -1.0, 1.0);
+        const double n_r = std::sqrt(1.0 - n_z * n_z);
+        const SupportPoint s = support_point(shape.support, n_r, n_z);
+        // The support map's crowned flats differ from the body by 3e-5 l at most (docs/contact.md).
+        floor_offset =
+            normal.dot(center) + s.r * n_r + s.z * n_z + slack + 1e-4 * shape.major_axis_length;
+        floor_normal = normal;
+    }
+
+    /// On its way to the surface the point crosses the band where the interpolant is good.
+    double proven_gap(double distance) const {
+        return std::max(distance - 2.0 * sdf->lipschitz_slack,
+                        std::min(distance, sdf->surface_band) - 2.0 * sdf->surface_slack);
+    }
+};
+
+/// What the exact fields have in common.
+struct ExactField {
+    double slack;  ///< rounding
+
+    static double floor(const Vec3& /*x*/) { return -std::numeric_limits<double>::infinity(); }
+    double proven_gap(double distance) const { return distance - slack; }
+};
+
+/// A ball: positive distance outside.
+struct SphereField : ExactField {
+    struct Sample {
+        double distance;
+    };
+
+    Vec3 center;    ///< [m]
+    double radius;  ///< [m]
+
+    Sample sample(const Vec3& x) const { return {(x - center).norm() - radius}; }
+    Vec3 gradient(const Vec3& x, const Sample& s) const {
+        return (x - center) / (s.distance + radius);
+    }
+    static bool accepts(const Vec3& /*x*/) { return true; }
+};
+
+/// A half space or a disc (wall_shapes.hpp).
+struct PlaneField : ExactField {
+    struct Sample {
+        double distance;
+    };
+
+    Vec3 origin;    ///< of the wall [m]
+    Vec3 normal;    ///< unit, out of the wall
+    double radius;  ///< of the disc [m]; infinite: a plane
+
+    Sample sample(const Vec3& x) const { return {(x - origin).dot(normal)}; }
+    Vec3 gradient(const Vec3& /*x*/, const Sample& /*s*/) const { return normal; }
+    bool accepts(const Vec3& x) const {
+        return radius == std::numeric_limits<double>::infinity() ||
+               (x - origin).cross(normal).squaredNorm() <= radius * radius;
+    }
+};
+
+/// The inside of a tube: distance from its wall, positive within.
+struct TubeField : ExactField {
+    struct Sample {
+        double distance;
+    };
+
+    Vec3 origin, axis;
+    double radius, length;
+
+    Sample sample(const Vec3& x) const { return {radius - axial_point(x - origin, axis).r}; }
+    Vec3 gradient(const Vec3& x, const Sample& /*s*/) const {
+        return -axial_point(x - origin, axis).radial;
+    }
+    bool accepts(const Vec3& x) const {
+        if (length == std::numeric_limits<double>::infinity()) return true;
+        const double z = (x - origin).dot(axis);
+        return z >= 0.0 && z <= length;
+    }
+};
+
+/// A solid rod with flat ends: exact distance, positive outside.
+struct RodField : ExactField {
+    struct Sample {
+        double distance;
+        double side, end;  ///< distances from the endless rod and beyond the nearer end [m]
+    };
+
+    Vec3 origin, axis;
+    double radius, length;
+
+    Sample sample(const Vec3& x) const {
+        const AxialPoint p = axial_point(x - origin, axis);
+        const double side = p.r - radius;
+        const double end = beyond_end(p.z);
+        if (side > 0.0 && end > 0.0) return {math::hypot(side, end), side, end};
+        return {std::max(side, end), side, end};
+    }
+    /// In front of the edge away from it, elsewhere away from the nearer of side and end.
+    Vec3 gradient(const Vec3& x, const Sample& s) const {
+        const AxialPoint p = axial_point(x - origin, axis);
+        const double side = p.r - radius;
+        const double end = beyond_end(p.z);
+        const Vec3 end_normal = p.z > 0.5 * length ? axis : Vec3(-axis);
+        if (side > 0.0 && end > 0.0) return (side * p.radial + end * end_normal) / s.distance;
+        return side >= end && p.r > 0.0 ? p.radial : end_normal;
+    }
+    static bool may_turn_within(const Sample& s, double way) {
+        return s.distance < way && std::abs(s.side - s.end) < way;
+    }
+    static bool accepts(const Vec3& /*x*/) { return true; }
+
+  private:
+    double beyond_end(double z) const {
+        return length == std::numeric_limits<double>::infinity()
+                   ? -std::numeric_limits<double>::infinity()
+                   : std::max(-z, z - length);
+    }
+};
+
+}  // namespace dem

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/shapes/convex_shape.hpp"
+#include "common/shapes/sphere.hpp"
+#include "common/shapes/sr_shape.hpp"
+#include "runtime/contact/cores/features.hpp"
+
+namespace dem {
+
+/// Two convex shapes, and one with a sphere (docs/contact-convex.md): GJK on their cores, then the
+/// features near the nearest points as one contact.
+PairContact collide(const ConvexShape& a, const ConvexShape& b, const PairState& pair,
+                    const ContactLaw& law, double dt, const ConvexMemory& memory);
+PairContact collide(const Sphere& a, const ConvexShape& b, const PairState& pair,
+                    const ContactLaw& law, double dt, const ConvexMemory& memory);
+PairContact collide(const ConvexShape& a, const Sphere& b, const PairState& pair,
+                    const ContactLaw& law, double dt, const ConvexMemory& memory);
+
+}  // namespace dem

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/contact/pairs/convex_convex.hpp"
+#include "runtime/contact/walls/wall_shapes.hpp"
+
+namespace dem {
+
+/// Convex shapes against wall primitives (wall_shapes.hpp): every near vertex and rim as a feature.
+/// The wall's curvature does not enter R*. A solid rod is a convex shape of its own.
+PairContact collide(const ConvexShape& a, const PlaneWall& wall, const PairState& pair,
+                    const ContactLaw& law, double dt, const ConvexMemory& memory);
+PairContact collide(const ConvexShape& a, const CylinderWall& wall, const PairState& pair,
+                    const ContactLaw& law, double dt, const ConvexMemory& memory);
+
+}  // namespace dem

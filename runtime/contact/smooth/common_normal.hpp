@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/contact/smooth/support_sample.hpp"
+
+#include <cmath>
+
+/// The common normal of two convex bodies: the minimum over unit n of
+///     f(n) = h_i(n) + h_j(-n) - n.d
+/// d from the centre of i to that of j, h support functions. f(n) is how far the bodies overlap
+/// along n: the minimum is the overlap, -f(n) > 0 a proven gap for any n. f is smooth on the pieces
+/// of the shapes with kinks between them that crowned faces round off over 4e-4 rad
+/// (docs/contact.md, "Common normal"). Newton on the unit sphere; where a step runs across a kink,
+/// the line search jumps to where the tangents of both sides meet.
+namespace dem {
+
+/// f at a direction with the gradient and all that the second derivative needs.
+struct NormalProbe {
+    Vec3 n;
+    double f;       ///< [m]
+    Vec3 gradient;  ///< tangential [m]
+    SupportSample i, j;
+};
+
+template <class SupportI, class SupportJ>
+NormalProbe probe(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
+                  const Vec3& n) {
+    NormalProbe p;
+    p.n = n;
+    p.i = support_i(n);
+    p.j = support_j(-n);
+    const double along = n.dot(d);
+    p.f = p.i.h + p.j.h - along;
+    // The meridian of -n points the same way as that of n, and so does the support point's part.
+    p.gradient = p.i.tangential * p.i.meridian - p.j.tangential * p.j.meridian - (d - along * n);
+    return p;
+}
+
+/// Any unit vector normal to the unit vector n.
+inline Vec3 any_tangent(const Vec3& n) {
+    const Vec3 other = std::abs(n.x()) < 0.7 ? Vec3::UnitX() : Vec3::UnitY();
+    return (other - other.dot(n) * n).normalized();
+}
+
+/// Of a unit vector that was carried from step to step. Its length drifts by rounding, and a step
+/// of the search makes an error of it larger: flats have support points from centers thousands of
+/// times the size away.
+inline Vec3 unit_again(const Vec3& n) {
+    return n * (1.5 - 0.5 * n.squaredNorm());
+}
+
+struct NewtonStep {
+    Vec3 turn;    ///< in the tangent plane [rad]
+    bool lifted;  ///< f is not convex enough here, the step is shorter than Newton's
+};
+
+/// Newton step to the minimum of f. The second derivative of f on the sphere is
+///     (across_i + across_j - f) 1 + excess_i m_i m_i^T + excess_j m_j m_j^T,
+/// lifted to eigenvalues of at least `floor` [m] where f is not convex.
+inline NewtonStep newton_step(const NormalProbe& p, double floor) {
+    Vec3 e1 = p.i.meridian;
+    if (p.i.excess == 0.0) e1 = p.j.excess == 0.0 ? any_tangent(p.n) : p.j.meridian;
+    const Vec3 e2 = p.n.cross(e1);
+    const double a = p.j.meridian.dot(e1);
+    const double b = p.j.meridian.dot(e2);
+    const double base = p.i.across + p.j.across - p.f;
+    double h11 = base + p.i.excess + p.j.excess * a * a;
+    double h22 = base + p.j.excess * b * b;
+    const double h12 = p.j.excess * a * b;
+    const double half_trace = 0.5 * (h11 + h22);
+    double determinant = h11 * h22 - h12 * h12;
+    const bool lifted = half_trace < floor || determinant < floor * (2.0 * half_trace - floor);
+    if (lifted) {
+        const double half_gap = std::sqrt(square(0.5 * (h11 - h22)) + h12 * h12);
+        const double shift = floor - (half_trace - half_gap);
+        h11 += shift;
+        h22 += shift;
+        determinant = h11 * h22 - h12 * h12;
+    }
+    const double g1 = p.gradient.dot(e1);
+    const double g2 = p.gradient.dot(e2);
+    const double scale = -1.0 / determinant;
+    return {(scale * (h22 * g1 - h12 * g2)) * e1 + (scale * (h11 * g2 - h12 * g1)) * e2, lifted};
+}
+
+/// Search parameters; lengths relative to |d|.
+struct NormalSearch {
+    /// Rounding of f: a support point on a crowned face is the difference of numbers 5000 times the
+    /// size of the body. f below it proves a miss, and no search could find an overlap.
+    static constexpr double margin = 1e-11;
+    static constexpr double step_tolerance = 1e-8;      ///< [rad]; what is left is its square
+    static constexpr double gradient_tolerance = 1e-9;  ///< error of the contact point
+    static constexpr double extrapolation = 1e-10;
+    static constexpr double floor = 1e-3;        ///< of the second derivative
+    static constexpr double longest_step = 0.7;  ///< [rad]
+    static constexpr int most_steps = 60;
+    static constexpr int most_trials = 40;
+};
+
+/// One step from `p` along the tangent `step` that decreases f and at least halves its slope, or
+/// stops short of the minimum along the line. Returns p when rounding leaves nothing to gain.
+template <class SupportI, class SupportJ>
+NormalProbe line_search(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
+                        const NormalProbe& p, const Vec3& step, double size) {
+    // |n + t step| f is convex in t: the tangents at both ends of the bracket meet inside it, and
+    // where the minimum is a kink between two smooth pieces they meet close to the kink.
+    struct End {
+        double t, value, slope;
+    };
+    const double slope = p.gradient.dot(step);
+    const double step2 = step.squaredNorm();
+    const double noise = NormalSearch::margin * size;
+    End low{0.0, p.f, slope};
+    End high{0.0, 0.0, 0.0};
+    // Once a kink is between the ends, one side's slope must not pass for a minimum: the next step
+    // would run back across it, and the search to and fro without getting along.
+    double flat_enough = -0.5 * slope;
+    NormalProbe best = p;  // at the lower end
+    double t = 1.0;
+    double width = 1.0;
+    for (int k = 0; k < NormalSearch::most_trials; ++k) {
+        const double length = std::sqrt(1.0 + t * t * step2);
+        const Vec3 ahead = (p.n + t * step) / length;
+        NormalProbe trial = probe(support_i, support_j, d, ahead);
+        const double trial_slope = trial.gradient.dot(step);
+        const bool decreases = trial.f <= p.f + 1e-4 * t * slope + noise;
+        if (decreases && (std::abs(trial_slope) <= flat_enough || (k == 0 && trial_slope < 0.0)))
+            return trial;
+        if (trial_slope > 0.0) flat_enough = std::min(flat_enough, 0.25 * trial_slope);
+        const End end{t, length * trial.f, trial_slope + trial.f * trial.n.dot(step)};
+        if (decreases && trial_slope < 0.0) {
+            low = end;
+            best = trial;
+        } else {
+            high = end;
+        }
+        const double meeting = (low.value - low.slope * low.t - high.value + high.slope * high.t) /
+                               (high.slope - low.slope);
+        const bool useful = meeting > low.t && meeting < high.t && high.t - low.t <= 0.5 * width;
+        width = high.t - low.t;
+        t = useful ? meeting : 0.5 * (low.t + high.t);
+    }
+    return best;
+}
+
+/// Minimises f from a probe. Stops early, at any direction, once f is below -margin |d| and not
+/// about to fall much further: the bodies are apart.
+template <class SupportI, class SupportJ>
+NormalProbe descend(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
+                    NormalProbe p) {
+    const double size = d.norm();
+    for (int k = 0; k < NormalSearch::most_steps; ++k) {
+        Vec3 turn = newton_step(p, NormalSearch::floor * size).turn;
+        const double gain = -0.5 * p.gradient.dot(turn);
+        if (p.f < -NormalSearch::margin * size && gain < -0.25 * p.f) break;
+        const double length = turn.norm();
+        if (length <= NormalSearch::step_tolerance &&
+            p.gradient.norm() <= NormalSearch::gradient_tolerance * size)
+            break;
+        if (length > NormalSearch::longest_step) turn *= NormalSearch::longest_step / length;
+        const NormalProbe next = line_search(support_i, support_j, d, p, turn, size);
+        if (next.f >= p.f && next.gradient.squaredNorm() >= p.gradient.squaredNorm()) break;
+        p = next;
+    }
+    return p;
+}
+
+template <class SupportI, class SupportJ>
+NormalProbe common_normal(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
+                          const Vec3& start) {
+    return descend(support_i, support_j, d, probe(support_i, support_j, d, start));
+}
+
+/// Where two bodies share a normal.
+struct CommonNormal {
+    Vec3 n;       ///< from i to j, unit
+    double f;     ///< [m]
+    Vec3 middle;  ///< between the two surface points, from the centre of i [m]
+};
+
+inline CommonNormal result_of(const NormalProbe& p, const Vec3& d) {
+    return {p.n, p.f, 0.5 * (p.i.point(p.n) + p.j.point(-p.n) + d)};
+}
+
+/// The minimum as the second derivative at a nearby direction shows it, without evaluating f there.
+/// What is left out is of the order of the turn squared.
+inline CommonNormal extrapolated(const NormalProbe& p, const Vec3& turn, const Vec3& d) {
+    CommonNormal c = result_of(p, d);
+    c.n = (p.n + turn) * (1.0 - 0.5 * turn.squaredNorm());
+    c.f += 0.5 * p.gradient.dot(turn);
+    c.middle += 0.5 * (p.i.shift(turn) - p.j.shift(turn));
+    return c;
+}
+
+/// Whether a turn is small enough for that: nowhere near a jump of the curvature, and what is left
+/// out of the contact point below `extrapolation` |d|.
+inline bool is_close(const NormalProbe& p, const NewtonStep& step, double size) {
+    const double turn2 = step.turn.squaredNorm();
+    const double room = std::min(p.i.room, p.j.room);
+    const double radius = p.i.across + p.j.across + std::abs(p.i.excess) + std::abs(p.j.excess);
+    return !step.lifted && 4.0 * turn2 < room * room &&
+           turn2 * (radius + size) < NormalSearch::extrapolation * size;
+}
+
+/// A minimum and where f was last evaluated: there, or where it was extrapolated from.
+struct FollowedNormal {
+    CommonNormal at;
+    NormalProbe probe;
+};
+
+/// The same as common_normal() from a direction that was the minimum a moment ago.
+template <class SupportI, class SupportJ>
+FollowedNormal followed_normal(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
+                               const Vec3& start) {
+    const double size = d.norm();
+    NormalProbe p = probe(support_i, support_j, d, unit_again(start));
+    const NewtonStep step = newton_step(p, NormalSearch::floor * size);
+    if (is_close(p, step, size)) return {extrapolated(p, step.turn, d), p};
+    p = descend(support_i, support_j, d, p);
+    return {result_of(p, d), p};
+}
+
+}  // namespace dem
