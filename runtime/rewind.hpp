@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "formats/checkpoint.hpp"
+#include "runtime/files/checkpoint_file.hpp"
 #include "runtime/simulation.hpp"
 
 #include <cstdint>

@@ -4,9 +4,9 @@
 #include "common/error.hpp"
 #include "common/text.hpp"
 #include "common/units.hpp"
-#include "formats/shape_parameters.hpp"
 #include "shapegen/import/mesh_file.hpp"
 #include "shapegen/option_values.hpp"
+#include "shapegen/profile/shape_parameters.hpp"
 
 namespace dem {
 

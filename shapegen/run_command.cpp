@@ -8,15 +8,15 @@
 #include "common/text.hpp"
 #include "common/threads/thread_team.hpp"
 #include "common/units.hpp"
-#include "formats/clump_export.hpp"
-#include "formats/profile_file.hpp"
 #include "formats/template_reader.hpp"
-#include "formats/template_summary.hpp"
 #include "formats/template_writer.hpp"
+#include "shapegen/certificate/template_summary.hpp"
+#include "shapegen/export/clump_export.hpp"
 #include "shapegen/picture/contact_sheet.hpp"
 #include "shapegen/picture/convergence_plot.hpp"
 #include "shapegen/pipeline/export.hpp"
 #include "shapegen/pipeline/generate.hpp"
+#include "shapegen/profile/profile_file.hpp"
 
 #include <array>
 #include <chrono>

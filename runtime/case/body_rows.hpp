@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "formats/body_table.hpp"
 #include "runtime/case/values.hpp"
+#include "runtime/files/body_table.hpp"
 #include "runtime/scene.hpp"
 
 #include <filesystem>

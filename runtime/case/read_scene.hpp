@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "formats/case_file.hpp"
+#include "runtime/case/case_file.hpp"
 #include "runtime/scene.hpp"
 
 namespace dem {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/math/types.hpp"
-#include "formats/case_file.hpp"
+#include "runtime/case/case_file.hpp"
 #include "runtime/case/key.hpp"
 #include "runtime/scene.hpp"
 

@@ -4,7 +4,7 @@
 #include "common/error.hpp"
 #include "common/math/types.hpp"
 #include "common/text.hpp"
-#include "formats/checkpoint.hpp"
+#include "runtime/files/checkpoint_file.hpp"
 
 #include <cstring>
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "formats/frames.hpp"
-#include "formats/history_writer.hpp"
+#include "runtime/files/frames.hpp"
+#include "runtime/files/history_writer.hpp"
 #include "runtime/output/cadence.hpp"
 #include "runtime/run.hpp"
 #include "runtime/simulation.hpp"

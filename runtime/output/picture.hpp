@@ -3,7 +3,7 @@
 
 #include "common/math/types.hpp"
 #include "common/shapes/particle_template.hpp"
-#include "formats/png.hpp"
+#include "runtime/files/png.hpp"
 #include "runtime/walls/wall.hpp"
 
 #include <span>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/shapes/particle_template.hpp"
-#include "common/shapes/profile.hpp"
 #include "shapegen/certificate/sdf_error.hpp"
+#include "shapegen/profile/profile.hpp"
 #include "shapegen/revolution/rings.hpp"
 
 #include <span>

@@ -3,7 +3,7 @@
 
 #include "common/shapes/make_convex.hpp"
 #include "common/shapes/particle_template.hpp"
-#include "formats/rounding.hpp"
+#include "shapegen/convex/rounding.hpp"
 
 #include <cstdint>
 #include <optional>

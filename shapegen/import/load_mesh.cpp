@@ -3,8 +3,8 @@
 
 #include "common/error.hpp"
 #include "common/units.hpp"
-#include "formats/shape_parameters.hpp"
 #include "shapegen/import/mesh_file.hpp"
+#include "shapegen/profile/shape_parameters.hpp"
 #include "shapegen/repair/face_triangles.hpp"
 
 #include <algorithm>

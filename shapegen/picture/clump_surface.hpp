@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/shapes/particle_template.hpp"
-#include "formats/mesh_export.hpp"
+#include "shapegen/export/mesh_export.hpp"
 
 #include <vector>
 

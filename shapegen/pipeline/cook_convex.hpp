@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/shapes/particle_template.hpp"
-#include "formats/convex_file.hpp"
+#include "shapegen/convex/convex_file.hpp"
 #include "shapegen/import/load_mesh.hpp"
 
 #include <cstddef>

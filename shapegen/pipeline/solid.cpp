@@ -3,8 +3,8 @@
 
 #include "common/state_hash.hpp"
 #include "formats/memory_map.hpp"
-#include "formats/profile_file.hpp"
 #include "shapegen/import/mesh_file.hpp"
+#include "shapegen/profile/profile_file.hpp"
 #include "shapegen/revolution/ball_chain.hpp"
 #include "shapegen/revolution/convexity.hpp"
 #include "shapegen/revolution/display_mesh.hpp"

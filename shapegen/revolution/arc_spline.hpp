@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "common/shapes/profile.hpp"
 #include "common/shapes/sr_shape.hpp"
+#include "shapegen/profile/profile.hpp"
 #include "shapegen/revolution/support_link.hpp"
 
 #include <vector>

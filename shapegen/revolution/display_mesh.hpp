@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/shapes/particle_template.hpp"
-#include "common/shapes/profile.hpp"
+#include "shapegen/profile/profile.hpp"
 
 namespace dem {
 

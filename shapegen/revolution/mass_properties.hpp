@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/shapes/mass_properties.hpp"
-#include "common/shapes/profile.hpp"
+#include "shapegen/profile/profile.hpp"
 
 namespace dem {
 

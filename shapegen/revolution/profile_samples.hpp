@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "common/shapes/profile.hpp"
+#include "shapegen/profile/profile.hpp"
 
 #include <vector>
 

@@ -30,8 +30,8 @@ allow(formats "common/|formats/")
 allow(runtime "common/|formats/|runtime/")
 allow(shapegen "common/|formats/|shapegen/")
 allow_packages(common "Eigen/|${system}")
-allow_packages(formats "${system}|hdf5\\.h|H5|flatbuffers/|nlohmann/|boost/|particle_template_generated\\.h")
-allow_packages(runtime "Eigen/|${system}|nlohmann/|boost/program_options")
+allow_packages(formats "${system}|flatbuffers/|particle_template_generated\\.h")
+allow_packages(runtime "Eigen/|${system}|hdf5\\.h|H5|nlohmann/|boost/program_options")
 allow_packages(shapegen "Eigen/|${system}|nlohmann/|boost/|CGAL/|assimp/|glpk\\.h")
 
 # The contact kernels know no particle arrays, threads or files; their rooms have an order.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How runs end, and how they go on from there.
-#include "formats/hdf5_reader.hpp"
+#include "runtime/files/hdf5_reader.hpp"
 #include "tests/cli/demrun_fixture.hpp"
 
 #include <algorithm>

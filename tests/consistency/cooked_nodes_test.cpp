@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/random.hpp"
-#include "formats/profile_file.hpp"
 #include "runtime/contact/fields/node_fields.hpp"
 #include "runtime/contact/fields/node_search.hpp"
 #include "runtime/contact/law/pair_law.hpp"
@@ -9,6 +8,7 @@
 #include "runtime/contact/pairs/sr_wall.hpp"
 #include "runtime/contact/pairs/sr_wall_nodes.hpp"
 #include "shapegen/pipeline/cook.hpp"
+#include "shapegen/profile/profile_file.hpp"
 
 #include <cmath>
 #include <string>

@@ -2,9 +2,9 @@
 #include "common/shapes/surface_distance.hpp"
 
 #include "common/random.hpp"
-#include "formats/profile_file.hpp"
 #include "shapegen/pipeline/cook.hpp"
 #include "shapegen/pipeline/cook_convex.hpp"
+#include "shapegen/profile/profile_file.hpp"
 #include "shapegen/revolution/mass_properties.hpp"
 #include "shapegen/surface/surface_query.hpp"
 

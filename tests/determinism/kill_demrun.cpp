@@ -8,8 +8,8 @@
 #include "common/progress.hpp"
 #include "common/random.hpp"
 #include "common/state_hash.hpp"
-#include "formats/hdf5_reader.hpp"
-#include "formats/journaled_file.hpp"
+#include "runtime/files/hdf5_reader.hpp"
+#include "runtime/files/journaled_file.hpp"
 
 #include <algorithm>
 #include <chrono>

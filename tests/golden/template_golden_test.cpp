@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/template_reader.hpp"
-#include "formats/template_summary.hpp"
+#include "shapegen/certificate/template_summary.hpp"
 #include "tests/cli/program.hpp"
 
 #include <gtest/gtest.h>

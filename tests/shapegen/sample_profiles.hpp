@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/shapes/profile.hpp"
+#include "shapegen/profile/profile.hpp"
 
 #include <cmath>
 #include <string>

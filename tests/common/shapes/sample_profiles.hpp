@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/shapes/profile.hpp"
-#include "common/shapes/profile_curves.hpp"
+#include "shapegen/profile/profile.hpp"
+#include "shapegen/profile/profile_curves.hpp"
 
 #include <array>
 #include <cmath>

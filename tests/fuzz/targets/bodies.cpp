@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "formats/body_table.hpp"
+#include "runtime/files/body_table.hpp"
 #include "tests/fuzz/promise.hpp"
 
 #include <array>

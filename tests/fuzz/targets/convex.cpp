@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Convex files, and profiles taken as convex shapes.
-#include "formats/convex_file.hpp"
+#include "shapegen/convex/convex_file.hpp"
 #include "tests/fuzz/promise.hpp"
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "formats/profile_file.hpp"
+#include "shapegen/profile/profile_file.hpp"
 #include "tests/fuzz/promise.hpp"
 
 #include <array>

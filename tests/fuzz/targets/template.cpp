@@ -4,7 +4,7 @@
 #include "common/shapes/surface_distance.hpp"
 #include "common/state_hash.hpp"
 #include "formats/template_reader.hpp"
-#include "formats/template_summary.hpp"
+#include "shapegen/certificate/template_summary.hpp"
 #include "tests/formats/sample_template.hpp"
 #include "tests/fuzz/promise.hpp"
 

@@ -2,8 +2,8 @@
 #include "runtime/run.hpp"
 
 #include "common/error.hpp"
-#include "formats/body_table.hpp"
-#include "formats/hdf5_reader.hpp"
+#include "runtime/files/body_table.hpp"
+#include "runtime/files/hdf5_reader.hpp"
 #include "runtime/output/folder_lock.hpp"
 #include "tests/formats/temporary_folder.hpp"
 #include "tests/runtime/simulation/scenes.hpp"
