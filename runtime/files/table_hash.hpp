@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/state_hash.hpp"
+#include "runtime/files/file_journal.hpp"
 
 #include <cstddef>
 #include <cstdint>
