@@ -140,7 +140,7 @@ void report(const dem::RunResult& result, const std::string& directory) {
     if (result.was_finished) {
         std::cout << directory << ": the run is finished, " << result.particles
                   << " particles after " << result.steps << " steps at " << result.time
-                  << " s; its files stay as they are\n";
+                  << " s; its files stay as they are, unread\n";
         return;
     }
     std::cout << result.particles << " particles, " << result.steps << " steps to " << result.time

@@ -3,6 +3,7 @@
 
 #include "common/attempts.hpp"
 #include "common/error.hpp"
+#include "common/format.hpp"
 #include "common/signals.hpp"
 #include "common/stopwatch.hpp"
 #include "runtime/checkpoint/run_checkpoint.hpp"
@@ -73,6 +74,14 @@ void make_checkpoint(RunParts& run) {
     run.outputs.sync();
     save_checkpoint(checkpoint_path(run.simulation->scene()), *run.simulation, run.at_rest,
                     run.outputs.progress());
+}
+
+void require_steps_to_go(const Simulation& simulation, std::uint64_t last_step) {
+    if (simulation.steps() <= last_step) return;
+    const Scene& scene = simulation.scene();
+    throw Error(scene.case_path,
+                format("end_time %g s is before the checkpoint at %g s, expected no earlier one",
+                       scene.run.end_time, simulation.time()));
 }
 
 /// When a checkpoint is due by the clock: the first one soon, for a run that has just begun is lost
@@ -214,16 +223,24 @@ double check_resume(Scene scene) {
 RunResult run(Scene scene, const RunOptions& options) {
     const double dt = time_step(scene).value;
     const std::uint64_t last_step = step_count(scene.run, dt, scene.case_path);
-    if (options.resume) require_checkpoint(scene);
     const std::filesystem::path folder = scene.output.directory;
+    if (options.resume && !std::filesystem::is_directory(folder)) require_checkpoint(scene);
     const FolderLock lock(folder);
-    if (!options.resume && !options.force) require_no_results(folder);
+    if (options.resume) {
+        // A run that was killed before its first checkpoint cannot go on, but keeps its frames.
+        if (!std::filesystem::exists(checkpoint_path(scene))) mend_frames(folder);
+        require_checkpoint(scene);
+    } else {
+        if (!options.force) require_no_results(folder);
+        require_files(folder);
+    }
     remove_remains(folder);
     auto simulation = std::make_unique<Simulation>(std::move(scene), dt);
     AtRest at_rest(simulation->scene());
     std::optional<OutputProgress> progress;
     if (options.resume) {
         progress = load_checkpoint(checkpoint_path(simulation->scene()), *simulation, at_rest);
+        require_steps_to_go(*simulation, last_step);
         const auto finished = finished_run(*simulation, at_rest, options, last_step);
         if (finished) return *finished;
     }

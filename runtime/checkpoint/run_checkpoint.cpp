@@ -29,8 +29,23 @@ std::vector<std::string> lines_of(const std::vector<char>& text) {
     return lines;
 }
 
-std::string quoted_or_nothing(const std::vector<std::string>& lines, std::size_t k) {
-    return k < lines.size() ? in_quotes(lines[k]) : "nothing";
+/// Whether line k of `lines` is one that `others` do not have from there on.
+bool is_extra(const std::vector<std::string>& lines, const std::vector<std::string>& others,
+              std::size_t k) {
+    if (k >= lines.size()) return false;
+    if (k >= others.size()) return true;
+    const auto from = lines.begin() + static_cast<std::ptrdiff_t>(k);
+    return std::find(from, lines.end(), others[k]) != lines.end();
+}
+
+/// How two cases differ, whose lines are the same before line k.
+std::string difference(const std::vector<std::string>& before, const std::vector<std::string>& now,
+                       std::size_t k) {
+    if (is_extra(now, before, k))
+        return "was made without " + in_quotes(now[k]) + ", which the case now has";
+    if (is_extra(before, now, k))
+        return "was made with " + in_quotes(before[k]) + ", which the case no longer has";
+    return "was made with " + in_quotes(before[k]) + " where the case now has " + in_quotes(now[k]);
 }
 
 void check_case(const std::string& where, const std::vector<std::string>& before,
@@ -40,8 +55,7 @@ void check_case(const std::string& where, const std::vector<std::string>& before
         before.begin(), before.begin() + static_cast<std::ptrdiff_t>(common), now.begin());
     const auto k = static_cast<std::size_t>(first.first - before.begin());
     if (k == before.size() && k == now.size()) return;
-    throw Error(where, "was made with " + quoted_or_nothing(before, k) +
-                           " where the case now has " + quoted_or_nothing(now, k) +
+    throw Error(where, difference(before, now, k) +
                            ", expected no change but of end_time, stop, overlap_limit, threads, "
                            "skin and [output]");
 }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/output/earlier_run.hpp"
 
+#include "common/error.hpp"
+#include "formats/file_kind.hpp"
+#include "runtime/files/journaled_file.hpp"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -38,6 +42,24 @@ std::string earlier_results(const fs::path& folder) {
     return found + ", expected another folder (--out), " +
            (has("checkpoint.h5") ? "--resume to go on with it, " : "") +
            "or --force to write over it";
+}
+
+void require_files(const fs::path& folder) {
+    std::error_code ignored;
+    for (const std::string_view name : outputs) {
+        const fs::path path = folder / name;
+        if (!fs::exists(path, ignored)) continue;
+        const std::string found = no_file_at(path);
+        if (!found.empty())
+            throw Error(path.string(), found + ", expected a file of results or nothing");
+    }
+}
+
+void mend_frames(const fs::path& folder) {
+    for (const char* name : {"frames.h5", "surfaces.h5"}) {
+        const fs::path path = folder / name;
+        if (no_file_at(path).empty()) const JournaledFile mended(path);
+    }
 }
 
 void remove_remains(const fs::path& folder) {

@@ -11,6 +11,13 @@ namespace dem {
 /// what may be done.
 std::string earlier_results(const std::filesystem::path& folder);
 
+/// Throws Error where a folder, a pipe or the like bears the name of a result: to write over it
+/// would fail, or wait for ever.
+void require_files(const std::filesystem::path& folder);
+
+/// Makes the frames of a killed run whole by their journals. Throws Error where they cannot be.
+void mend_frames(const std::filesystem::path& folder);
+
 /// Removes what killed runs had begun to write beside their files (*.part-*).
 void remove_remains(const std::filesystem::path& folder);
 

@@ -152,6 +152,58 @@ TEST_F(Demrun, AKilledRunIsResumedFromItsLastCheckpoint) {
     }
 }
 
+TEST_F(Demrun, FramesThatWereDamagedAreOneLineAndNoCrash) {
+    const std::string run = "case.ini --quiet --out parts --set output.frames_every=0.5ms ";
+    ASSERT_EQ(demrun(run).code, 0);
+    const std::string frames = content(folder_ / "parts/frames.h5");
+    fs::remove(folder_ / "parts/summary.json");  // as if it had been killed at its end
+    for (const double place : {0.5, 0.9, 0.99, 0.995, 0.998, 0.999, 0.9995, 0.9998}) {
+        std::string damaged = frames;
+        char& byte = damaged[static_cast<std::size_t>(place * static_cast<double>(frames.size()))];
+        byte = static_cast<char>(byte ^ 0x55);
+        write("parts/frames.h5", damaged);
+        const Outcome outcome = demrun(run + "--resume --set run.end_time=20.2ms");
+        if (outcome.code == 0) continue;  // it was in space that nothing uses
+        EXPECT_EQ(outcome.code, 1) << place;
+        EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << outcome.errors;
+        EXPECT_NE(outcome.errors.find("parts/frames.h5: "), std::string::npos) << outcome.errors;
+    }
+}
+
+TEST_F(Demrun, PipesInPlaceOfResultsAreNamedAndNotWaitedFor) {
+    fs::create_directories(folder_ / "case");
+    for (const char* name : {"history.csv", "frames.h5", "final.csv"}) {
+        const std::string made = "rm -f case/*; mkfifo case/" + std::string(name);
+        const Outcome outcome = run_command(
+            made + "; timeout 10 " + program("demrun") + " case.ini --quiet --force", folder_);
+        EXPECT_EQ(outcome.code, 1) << name;
+        EXPECT_EQ(outcome.errors, "demrun: error: case/" + std::string(name) +
+                                      ": is a pipe, expected a file of results or nothing\n");
+    }
+}
+
+TEST_F(Demrun, ACheckpointBehindTheEndTimeIsAnError) {
+    ASSERT_EQ(demrun("case.ini --quiet").code, 0);
+    const Outcome outcome = demrun("case.ini --quiet --resume --set run.end_time=5ms");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_TRUE(outcome.errors.starts_with(
+        "demrun: error: case.ini: end_time 0.005 s is before the checkpoint at 0.02"))
+        << outcome.errors;
+}
+
+TEST_F(Demrun, AKeyThatCameOrWentSinceTheCheckpointIsNamed) {
+    ASSERT_EQ(demrun("case.ini --quiet").code, 0);
+    EXPECT_NE(
+        demrun("case.ini --quiet --resume --set run.seed=2")
+            .errors.find("was made without '[run] seed = 2', which the case now has, expected"),
+        std::string::npos);
+    ASSERT_EQ(demrun("case.ini --quiet --force --set run.seed=2").code, 0);
+    EXPECT_NE(
+        demrun("case.ini --quiet --resume")
+            .errors.find("was made with '[run] seed = 2', which the case no longer has, expected"),
+        std::string::npos);
+}
+
 TEST_F(Demrun, AFullDiskIsOneLineAndKeepsWhatWasWritten) {
     struct Limit {
         int blocks;  // of 512 bytes or of a kilobyte, as the shell likes
