@@ -216,7 +216,8 @@ void add_friction(const Patch& patch, const PatchCall& call, const Load& load,
         Vec3 spring = Vec3::Zero();
         if (chosen.known[k])
             spring = hertz::carried(slot.spring, slot.normal, n, mean_spin.dot(n) * dt);
-        const Vec3 velocity = relative_velocity(call.pair, place);
+        const Vec3 velocity =
+            place == p.position ? s.velocity : relative_velocity(call.pair, place);
         const Vec3 u_t = velocity - velocity.dot(n) * n;
         const double k_t = scale * s.k_t;
         contact.dissipated_energy += hertz::restiffen(
