@@ -2,7 +2,7 @@
 #include "shapegen/profile/profile_file.hpp"
 
 #include "common/error.hpp"
-#include "tests/common/shapes/sample_profiles.hpp"
+#include "tests/shapegen/profile/sample_profiles.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/random.hpp"
-#include "tests/common/shapes/sample_profiles.hpp"
+#include "tests/shapegen/profile/sample_profiles.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "shapegen/revolution/curvature.hpp"
 
 #include "shapegen/revolution/mass_properties.hpp"
-#include "tests/common/shapes/sample_profiles.hpp"
+#include "tests/shapegen/profile/sample_profiles.hpp"
 
 #include <algorithm>
 #include <cmath>

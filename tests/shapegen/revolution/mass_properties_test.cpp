@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/revolution/mass_properties.hpp"
 
-#include "tests/common/shapes/sample_profiles.hpp"
+#include "tests/shapegen/profile/sample_profiles.hpp"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 
 #include "common/shapes/support_map.hpp"
 #include "shapegen/revolution/convexity.hpp"
-#include "tests/common/shapes/sample_profiles.hpp"
+#include "tests/shapegen/profile/sample_profiles.hpp"
 
 #include <algorithm>
 #include <cmath>
