@@ -222,7 +222,7 @@ TEST(RandomScenes, KeepTheirEnergyLedgerAndTheirBodies) {
         touched += has_touched ? 1 : 0;
     }
     EXPECT_GT(touched, RANDOM_SCENES / 2);
-    EXPECT_LE(crushed, RANDOM_SCENES / 50);
+    EXPECT_LE(crushed, RANDOM_SCENES / 200);  // seed 102
 }
 
 TEST(RandomScenes, KeepTheirMomentumInFreeSpace) {
