@@ -24,7 +24,8 @@ struct ContactPoint {
 /// History of a pair that may touch in many points. All zero: no contact.
 /// A point keeps its slot while it touches; free slots go to the deepest points without one, ties
 /// to the lower feature. The tangential forces of the slots stand for all points: they are scaled
-/// so that stiffness and Coulomb limit are those of every touching point.
+/// so that stiffness and Coulomb limit are those of every touching point, and act where the load of
+/// all does.
 struct PatchHistory {
     static constexpr std::size_t slot_count = 8;
     struct Slot {
