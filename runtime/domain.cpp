@@ -15,20 +15,11 @@ void extend_by_cylinder(Aabb& box, const Vec3& a, const Vec3& b, double radius) 
     box.extend(Aabb{a.cwiseMin(b) - half, a.cwiseMax(b) + half});
 }
 
-struct ExtendByWall {
-    Aabb& box;
-    const WallState& state;
-
-    void operator()(const PlaneWall& plane) const {
-        const double radius = std::isinf(plane.radius) ? 0.0 : plane.radius;
-        extend_by_cylinder(box, state.position, state.position, radius);
-    }
-    void operator()(const CylinderWall& cylinder) const {
-        const double length = std::isinf(cylinder.length) ? 0.0 : cylinder.length;
-        const Vec3 end = state.position + length * (state.body.orientation * Vec3::UnitZ());
-        extend_by_cylinder(box, state.position, end, cylinder.radius);
-    }
-};
+void extend_by_wall(Aabb& box, const Wall& wall) {
+    const WallExtent e = std::visit([](const auto& shape) { return shape.extent(); }, wall.shape);
+    const auto [origin, axis] = wall_state(wall, 0.0).frame();
+    extend_by_cylinder(box, origin + e.low * axis, origin + e.high * axis, e.radius);
+}
 
 struct ExtendByRegion {
     Aabb& box;
@@ -190,9 +181,7 @@ bool has_moving_wall(const Scene& scene) {
 
 Aabb scene_extent(const Scene& scene) {
     Aabb box;
-    for (const Wall& wall : scene.walls) {
-        std::visit(ExtendByWall{box, wall_state(wall, 0.0)}, wall.shape);
-    }
+    for (const Wall& wall : scene.walls) extend_by_wall(box, wall);
     for (const InsertionGroup& group : scene.insertions) {
         if (group.mode != InsertionGroup::Mode::file) {
             std::visit(ExtendByRegion{box}, group.region);

@@ -4,7 +4,7 @@
 #include "common/error.hpp"
 #include "common/math/elementary.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <sstream>
 
 namespace dem {
@@ -42,22 +42,21 @@ std::vector<Vec3> hull(const Region& region) {
 
 /// How far the region reaches into the wall [m]; <= 0: not at all.
 double depth(const Region& region, const Wall& wall, double time) {
-    const WallState state = wall_state(wall, time);
-    const Vec3 axis = state.body.orientation * Vec3::UnitZ();
-    const double front = support(region, axis) - axis.dot(state.position);
-    const double behind = support(region, -axis) + axis.dot(state.position);
-    if (const auto* plane = std::get_if<PlaneWall>(&wall.shape)) {
-        // A disc acts to its front only: a region wholly behind it is another room.
-        return std::isfinite(plane->radius) && front <= 0.0 ? 0.0 : behind;
-    }
-    const auto& cylinder = std::get<CylinderWall>(wall.shape);
-    const bool beyond = front <= 0.0 || -behind >= cylinder.length;
-    if (!cylinder.inside || (std::isfinite(cylinder.length) && beyond)) return 0.0;
-    double farthest = 0.0;
-    for (const Vec3& point : hull(region)) {
-        farthest = std::max(farthest, (point - state.position).cross(axis).norm());
-    }
-    return farthest - cylinder.radius;
+    const WallFrame frame = wall_state(wall, time).frame();
+    const double start = frame.axis.dot(frame.origin);
+    const double low = -support(region, -frame.axis) - start;
+    const double high = support(region, frame.axis) - start;
+    return std::visit(
+        [&](const auto& shape) {
+            if (!shape.confines(low, high)) return 0.0;
+            return shape.with_field(frame, 0.0, [&](const auto& field) {
+                double deepest = 0.0;
+                for (const Vec3& point : hull(region))
+                    deepest = std::max(deepest, -field.sample(point).distance);
+                return deepest;
+            });
+        },
+        wall.shape);
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include "runtime/narrow_phase/pair_list.hpp"
 
 #include <tuple>
+#include <utility>
 #include <variant>
 
 /// Every pair of shapes that the time loop supports: one line here, one `collide` overload in
@@ -49,17 +50,26 @@ using PairLists = std::tuple<
     PairList<Clump, ConvexShape, PatchHistory, NodeCache>,
     PairList<ConvexShape, Clump, PatchHistory, NodeCache>>;
 
-using WallLists = std::tuple<
-    PairList<Sphere, PlaneWall, PointHistory, NoCache>,
-    PairList<Sphere, CylinderWall, PointHistory, NoCache>,
-    PairList<SrShape, PlaneWall, PointHistory, MissCache, ContactLaw::Method::continuous>,
-    PairList<SrShape, CylinderWall, PatchHistory, MissCache, ContactLaw::Method::continuous>,
-    PairList<SrShape, PlaneWall, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
-    PairList<SrShape, CylinderWall, PatchHistory, NodeCache, ContactLaw::Method::nodes>,
-    PairList<Clump, PlaneWall, PatchHistory, NodeCache>,
-    PairList<Clump, CylinderWall, PatchHistory, NodeCache>,
-    PairList<ConvexShape, PlaneWall, ConvexHistory, MissCache>,
-    PairList<ConvexShape, CylinderWall, ConvexHistory, MissCache>>;
+/// None where convex surfaces touch the wall by nodes.
+template <class Wall>
+struct SmoothWallList {
+    using Type = std::tuple<>;
+};
+template <SmoothWall Wall>
+struct SmoothWallList<Wall> {
+    using Type = std::tuple<PairList<SrShape, Wall, typename SmoothHistory<Wall>::Type, MissCache,
+                                     ContactLaw::Method::continuous>>;
+};
+
+/// Every kind of body with every shape of wall.
+template <class... Wall>
+auto lists_of_walls(const std::variant<Wall...>& shapes) -> decltype(std::tuple_cat(
+    std::tuple<PairList<Sphere, Wall, PointHistory, NoCache>...>{},
+    typename SmoothWallList<Wall>::Type{}...,
+    std::tuple<PairList<SrShape, Wall, PatchHistory, NodeCache, ContactLaw::Method::nodes>...>{},
+    std::tuple<PairList<Clump, Wall, PatchHistory, NodeCache>...>{},
+    std::tuple<PairList<ConvexShape, Wall, ConvexHistory, MissCache>...>{}));
+using WallLists = decltype(lists_of_walls(std::declval<WallShape>()));
 
 /// How contacts of these spheres and SR shapes are computed: shapes that are not convex need nodes.
 inline ContactLaw::Method contact_method(bool all_convex, const ContactLaw& law) {
@@ -80,7 +90,7 @@ bool handles(const ParticleTemplate& a, const WallShape& wall, const ContactLaw&
     return std::holds_alternative<typename List::A>(a.shape) &&
            std::holds_alternative<typename List::B>(wall) &&
            (List::method == ContactLaw::Method::automatic ||
-            List::method == contact_method(a.is_convex, law));
+            List::method == contact_method(a.is_convex && SmoothWall<typename List::B>, law));
 }
 
 }  // namespace dem

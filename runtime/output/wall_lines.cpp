@@ -3,8 +3,8 @@
 
 #include "common/math/elementary.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace dem {
 
@@ -20,31 +20,28 @@ struct HalfSpace {
 
 using Polygon = std::vector<Vec3>;
 
-void add_circle(Segments& lines, const WallState& state, double radius, double z) {
-    constexpr int sides = 96;
-    const auto point = [&](int k) -> Vec3 {
-        const auto [sine, cosine] = math::sin_cos(2.0 * pi * k / sides);
-        return state.position + state.body.orientation * Vec3(radius * cosine, radius * sine, z);
-    };
-    for (int k = 0; k < sides; ++k) lines.emplace_back(point(k), point(k + 1));
+/// A point of a wall of revolution, at an angle around its axis [rad].
+Vec3 placed(const WallState& state, const Vec2& rz, double angle) {
+    const auto [sine, cosine] = math::sin_cos(angle);
+    return state.position + state.body.orientation * Vec3(rz.x() * cosine, rz.x() * sine, rz.y());
 }
 
-void add_cylinder(Segments& lines, const CylinderWall& wall, const WallState& state,
-                  const Aabb& box) {
-    const Vec3 axis = state.body.orientation * Vec3::UnitZ();
-    double from = 0.0;
-    double to = wall.length;
-    if (!std::isfinite(to)) {
-        std::tie(from, to) = std::minmax((box.lower - state.position).dot(axis),
-                                         (box.upper - state.position).dot(axis));
+void add_outline(Segments& lines, const Wall& wall, double time, const Aabb& bodies) {
+    const WallState state = wall_state(wall, time);
+    const Vec3 axis = state.frame().axis;
+    const std::pair<double, double> ends = std::minmax(
+        {(bodies.lower - state.position).dot(axis), (bodies.upper - state.position).dot(axis)});
+    const WallOutline outline = std::visit(
+        [&](const auto& shape) { return shape.outline(ends.first, ends.second); }, wall.shape);
+    constexpr int sides = 96;
+    for (const Vec2& ring : outline.rings) {
+        for (int k = 0; k < sides; ++k)
+            lines.emplace_back(placed(state, ring, 2.0 * pi * k / sides),
+                               placed(state, ring, 2.0 * pi * (k + 1) / sides));
     }
-    add_circle(lines, state, wall.radius, from);
-    add_circle(lines, state, wall.radius, to);
     for (int k = 0; k < 4; ++k) {
-        const double phi = 0.5 * pi * k;
-        const Vec3 side(wall.radius * math::cos(phi), wall.radius * math::sin(phi), 0.0);
-        lines.emplace_back(state.position + state.body.orientation * (side + from * Vec3::UnitZ()),
-                           state.position + state.body.orientation * (side + to * Vec3::UnitZ()));
+        for (const auto& [from, to] : outline.meridians)
+            lines.emplace_back(placed(state, from, 0.5 * pi * k), placed(state, to, 0.5 * pi * k));
     }
 }
 
@@ -69,7 +66,7 @@ std::vector<HalfSpace> near_planes(std::span<const Wall> walls, double time, con
     const Vec3 center = 0.5 * (box.lower + box.upper);
     for (const Wall& wall : walls) {
         const auto* plane = std::get_if<PlaneWall>(&wall.shape);
-        if (plane == nullptr || std::isfinite(plane->radius)) continue;
+        if (plane == nullptr || plane->is_disc()) continue;
         const WallState state = wall_state(wall, time);
         const HalfSpace side{state.position, state.body.orientation * Vec3::UnitZ()};
         if (std::abs(side.height(center)) < reach) planes.push_back(side);
@@ -115,14 +112,9 @@ void add_planes(Segments& lines, std::span<const Wall> walls, double time, const
 
 }  // namespace
 
-// Discs are the ends of cylinders, whose circles show them.
 Segments wall_lines(std::span<const Wall> walls, double time, const Aabb& bodies) {
     Segments lines;
-    for (const Wall& wall : walls) {
-        if (const auto* cylinder = std::get_if<CylinderWall>(&wall.shape)) {
-            add_cylinder(lines, *cylinder, wall_state(wall, time), bodies);
-        }
-    }
+    for (const Wall& wall : walls) add_outline(lines, wall, time, bodies);
     add_planes(lines, walls, time, bodies);
     return lines;
 }

@@ -13,8 +13,8 @@ namespace dem {
 using Segments = std::vector<std::pair<Vec3, Vec3>>;
 
 /// Lines that show the walls around bodies which fill `bodies`, at a time [s], world frame [m]: the
-/// circles and four sides of cylinders; of planes without end the part that the other planes and
-/// the box leave, where they come near it.
+/// outlines that the shapes give; of planes without end the part that the other planes and the box
+/// leave, where they come near it.
 Segments wall_lines(std::span<const Wall> walls, double time, const Aabb& bodies);
 
 }  // namespace dem

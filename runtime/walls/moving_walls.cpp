@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/walls/moving_walls.hpp"
 
-#include "common/math/elementary.hpp"
-
-#include <algorithm>
-#include <cmath>
-
 namespace dem {
 
 namespace {
@@ -15,11 +10,14 @@ double largest_distance(const Aabb& box, const Vec3& x) {
 }
 
 // How far a point of the surface within `reach` [m] of the wall's origin can have gone.
-double surface_travel(const WallState& before, const WallState& after, double reach) {
-    const Vec3 axis_before = before.body.orientation * Vec3::UnitZ();
-    const Vec3 axis_after = after.body.orientation * Vec3::UnitZ();
-    const double tilt = 2.0 * math::asin(std::min(1.0, 0.5 * (axis_after - axis_before).norm()));
-    return (after.position - before.position).norm() + tilt * reach;
+double surface_travel(const WallShape& shape, const WallState& before, const WallState& after,
+                      double reach) {
+    const double turn = std::visit(
+        [&](const auto& wall) {
+            return wall.surface_turn(before.body.orientation, after.body.orientation);
+        },
+        shape);
+    return (after.position - before.position).norm() + turn * reach;
 }
 
 }  // namespace
@@ -36,7 +34,7 @@ void move_walls(MovingWalls& moving, std::span<const Wall> walls, const Aabb& do
         if (walls[w].motion.kind == WallMotion::Kind::none) continue;
         const WallState now = wall_state(walls[w], t);
         const double reach = largest_distance(domain, now.position);
-        moving.travel[w] += surface_travel(moving.state[w], now, reach);
+        moving.travel[w] += surface_travel(walls[w].shape, moving.state[w], now, reach);
         moving.state[w] = now;
     }
 }

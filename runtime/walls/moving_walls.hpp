@@ -13,8 +13,7 @@ namespace dem {
 struct MovingWalls {
     std::vector<WallState> state;
     /// Bound on the way that any point of the wall's surface has gone since time 0, within the
-    /// domain [m]. A turn about the wall's own z axis moves no surface: planes and cylinders are
-    /// bodies of revolution.
+    /// domain [m]. A body of revolution that turns about its own axis moves none of its surface.
     std::vector<double> travel;
 };
 

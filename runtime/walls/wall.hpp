@@ -40,6 +40,8 @@ struct Wall {
 struct WallState {
     Vec3 position;   ///< [m]
     BodyState body;  ///< orientation, velocity and angular velocity; zero inverse inertia
+
+    WallFrame frame() const { return {position, body.orientation * Vec3::UnitZ()}; }
 };
 
 /// Where a wall is and how it moves at time t [s].

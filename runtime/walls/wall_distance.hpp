@@ -7,6 +7,11 @@ namespace dem {
 
 /// Lower bound of the distance from a point of the world to where the wall acts [m]: a body within
 /// r of the point cannot touch the wall when this is more than r. Exact in front of the wall.
+template <AnyWall Shape>
+double wall_distance(const Shape& shape, const WallState& state, const Vec3& point) {
+    return shape.with_field(state.frame(), 0.0,
+                            [&](const auto& field) { return field.clearance(point); });
+}
 double wall_distance(const WallShape& shape, const WallState& state, const Vec3& point);
 
 }  // namespace dem

@@ -26,7 +26,6 @@ struct ConvexField : ExactField {
     bool may_turn_within(const Sample& s, double way) const {
         return s.distance + shape->rounding < way && !shape->is_strictly_convex();
     }
-    static bool accepts(const Vec3& /*x*/) { return true; }
 };
 
 }  // namespace dem

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/math/elementary.hpp"
 #include "common/shapes/sdf_quadtree.hpp"
 #include "common/shapes/sr_shape.hpp"
 #include "common/shapes/support_map.hpp"
 #include "runtime/contact/contact_types.hpp"
 #include "runtime/contact/fields/sdf_vectors.hpp"
-#include "runtime/contact/walls/wall_frame.hpp"
+#include "runtime/contact/walls/wall_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,14 +94,6 @@ struct SrField {
     }
 };
 
-/// What the exact fields have in common.
-struct ExactField {
-    double slack;  ///< rounding
-
-    static double floor(const Vec3& /*x*/) { return -std::numeric_limits<double>::infinity(); }
-    double proven_gap(double distance) const { return distance - slack; }
-};
-
 /// A ball: positive distance outside.
 struct SphereField : ExactField {
     struct Sample {
@@ -115,84 +106,6 @@ struct SphereField : ExactField {
     Sample sample(const Vec3& x) const { return {(x - center).norm() - radius}; }
     Vec3 gradient(const Vec3& x, const Sample& s) const {
         return (x - center) / (s.distance + radius);
-    }
-    static bool accepts(const Vec3& /*x*/) { return true; }
-};
-
-/// A half space or a disc (wall_shapes.hpp).
-struct PlaneField : ExactField {
-    struct Sample {
-        double distance;
-    };
-
-    Vec3 origin;    ///< of the wall [m]
-    Vec3 normal;    ///< unit, out of the wall
-    double radius;  ///< of the disc [m]; infinite: a plane
-
-    Sample sample(const Vec3& x) const { return {(x - origin).dot(normal)}; }
-    Vec3 gradient(const Vec3& /*x*/, const Sample& /*s*/) const { return normal; }
-    bool accepts(const Vec3& x) const {
-        return radius == std::numeric_limits<double>::infinity() ||
-               (x - origin).cross(normal).squaredNorm() <= radius * radius;
-    }
-};
-
-/// The inside of a tube: distance from its wall, positive within.
-struct TubeField : ExactField {
-    struct Sample {
-        double distance;
-    };
-
-    Vec3 origin, axis;
-    double radius, length;
-
-    Sample sample(const Vec3& x) const { return {radius - axial_point(x - origin, axis).r}; }
-    Vec3 gradient(const Vec3& x, const Sample& /*s*/) const {
-        return -axial_point(x - origin, axis).radial;
-    }
-    bool accepts(const Vec3& x) const {
-        if (length == std::numeric_limits<double>::infinity()) return true;
-        const double z = (x - origin).dot(axis);
-        return z >= 0.0 && z <= length;
-    }
-};
-
-/// A solid rod with flat ends: exact distance, positive outside.
-struct RodField : ExactField {
-    struct Sample {
-        double distance;
-        double side, end;  ///< distances from the endless rod and beyond the nearer end [m]
-    };
-
-    Vec3 origin, axis;
-    double radius, length;
-
-    Sample sample(const Vec3& x) const {
-        const AxialPoint p = axial_point(x - origin, axis);
-        const double side = p.r - radius;
-        const double end = beyond_end(p.z);
-        if (side > 0.0 && end > 0.0) return {math::hypot(side, end), side, end};
-        return {std::max(side, end), side, end};
-    }
-    /// In front of the edge away from it, elsewhere away from the nearer of side and end.
-    Vec3 gradient(const Vec3& x, const Sample& s) const {
-        const AxialPoint p = axial_point(x - origin, axis);
-        const double side = p.r - radius;
-        const double end = beyond_end(p.z);
-        const Vec3 end_normal = p.z > 0.5 * length ? axis : Vec3(-axis);
-        if (side > 0.0 && end > 0.0) return (side * p.radial + end * end_normal) / s.distance;
-        return side >= end && p.r > 0.0 ? p.radial : end_normal;
-    }
-    static bool may_turn_within(const Sample& s, double way) {
-        return s.distance < way && std::abs(s.side - s.end) < way;
-    }
-    static bool accepts(const Vec3& /*x*/) { return true; }
-
-  private:
-    double beyond_end(double z) const {
-        return length == std::numeric_limits<double>::infinity()
-                   ? -std::numeric_limits<double>::infinity()
-                   : std::max(-z, z - length);
     }
 };
 

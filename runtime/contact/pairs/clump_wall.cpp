@@ -2,46 +2,26 @@
 #include "runtime/contact/pairs/clump_wall.hpp"
 
 #include "runtime/contact/fields/clump_contact.hpp"
-#include "runtime/contact/walls/wall_frame.hpp"
-
-#include <cmath>
 
 namespace dem {
 
-namespace {
-
-template <class Field>
-PairContact against(const PlacedSpheres& spheres, const Field& field, const NodeCall& call) {
-    return clump_in_field(spheres, field, 1.0, list_margin(spheres.bound().radius), 0.0, call);
-}
-
-}  // namespace
-
-PairContact collide(const Clump& a, const PlaneWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, const NodeMemory& memory) {
-    const NodeCall call{pair, law, dt, memory};
-    const Vec3 normal = body_axis(pair.j.orientation);
-    const double in_front = -pair.displacement.dot(normal);
-    // A disc acts on bodies in front of it; one behind has at least the way through it to go.
-    if (std::isfinite(wall.radius) && in_front <= 0.0) return keep_apart(-in_front, memory);
+template <AnyWall Wall>
+PairContact collide(const Clump& a, const Wall& wall, const PairState& pair, const ContactLaw& law,
+                    double dt, const NodeMemory& memory) {
     const PlacedSpheres spheres(a, pair.i.orientation, Vec3::Zero());
-    const PlaneField field{
-        {clump_rounding(spheres.bound().radius)}, pair.displacement, normal, wall.radius};
-    return against(spheres, field, call);
+    const double radius = spheres.bound().radius;
+    const WallFrame frame{pair.displacement, body_axis(pair.j.orientation)};
+    return wall.with_field(frame, clump_rounding(radius), [&](const auto& field) {
+        const Vec3 center = Vec3::Zero();
+        if (field.lets_pass(center)) return keep_apart(-field.sample(center).distance, memory);
+        return clump_in_field(spheres, field, 1.0, list_margin(radius), 0.0,
+                              {pair, law, dt, memory});
+    });
 }
 
-PairContact collide(const Clump& a, const CylinderWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, const NodeMemory& memory) {
-    const NodeCall call{pair, law, dt, memory};
-    const Vec3 axis = body_axis(pair.j.orientation);
-    const PlacedSpheres spheres(a, pair.i.orientation, Vec3::Zero());
-    const ExactField exact{clump_rounding(spheres.bound().radius)};
-    if (wall.inside) {
-        const TubeField tube{exact, pair.displacement, axis, wall.radius, wall.length};
-        return against(spheres, tube, call);
-    }
-    const RodField rod{exact, pair.displacement, axis, wall.radius, wall.length};
-    return against(spheres, rod, call);
-}
+#define DEM_CLUMP_AT(Wall)                                                                       \
+    template PairContact collide(const Clump&, const Wall&, const PairState&, const ContactLaw&, \
+                                 double, const NodeMemory&);
+DEM_FOR_EACH_WALL_SHAPE(DEM_CLUMP_AT)
 
 }  // namespace dem

@@ -7,14 +7,12 @@
 
 namespace dem {
 
-/// A clump against a wall primitive: every sphere that reaches into the wall is a contact point, as
-/// a lone sphere would have it (sphere_wall.hpp); spheres whose centers lie beyond the rim of a
-/// disc or of the open end of a tube do not touch. The wall's curvature does not enter R*, which is
-/// the radius of the deepest sphere.
-PairContact collide(const Clump& a, const PlaneWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, const NodeMemory& memory);
-
-PairContact collide(const Clump& a, const CylinderWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, const NodeMemory& memory);
+/// A clump against a wall: every sphere that reaches into the wall is a contact point, as a lone
+/// sphere would have it (sphere_wall.hpp); spheres whose centers lie beyond the rim of a disc or of
+/// the open end of a tube do not touch. The wall's curvature does not enter R*, which is the radius
+/// of the deepest sphere.
+template <AnyWall Wall>
+PairContact collide(const Clump& a, const Wall& wall, const PairState& pair, const ContactLaw& law,
+                    double dt, const NodeMemory& memory);
 
 }  // namespace dem

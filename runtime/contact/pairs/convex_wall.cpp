@@ -4,7 +4,6 @@
 #include "common/math/elementary.hpp"
 #include "runtime/contact/cores/core_pair.hpp"
 #include "runtime/contact/cores/farthest_of_ellipse.hpp"
-#include "runtime/contact/walls/wall_frame.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,24 +15,14 @@ namespace {
 
 // ---- A plane, or a disc.
 
-struct Plane {
-    Vec3 origin, normal;
-    double radius;
-
-    double height(const Vec3& x) const { return (x - origin).dot(normal); }
-    bool accepts(const Vec3& x) const {
-        return std::isinf(radius) || axial_point(x - origin, normal).r <= radius;
-    }
-};
-
 class PlaneFeatures {
   public:
-    PlaneFeatures(const PlacedCore& core, const Plane& plane, FeatureSum& features)
+    PlaneFeatures(const PlacedCore& core, const PlaneField& plane, FeatureSum& features)
         : core_(core), plane_(plane), features_(features) {}
 
     void add_all(std::uint32_t lowest, ConvexScratch& scratch) {
         const ConvexShape& shape = core_.shape;
-        const Vec3 down = -plane_.normal;
+        const Vec3 down = -plane_.frame.axis;
         if (core_.has_vertices()) {
             collect_vertices(core_, down, features_.deepest(), lowest, scratch.i);
             for (const ConvexCap::Vertex& v : scratch.i.vertices)
@@ -49,8 +38,9 @@ class PlaneFeatures {
 
   private:
     FeaturePoint point(const Vec3& x) const {
-        const double overlap = core_.rounding - plane_.height(x);
-        return {x - (core_.rounding - 0.5 * overlap) * plane_.normal, plane_.normal, overlap};
+        const double overlap = core_.rounding - plane_.distance(x);
+        const Vec3& normal = plane_.frame.axis;
+        return {x - (core_.rounding - 0.5 * overlap) * normal, normal, overlap};
     }
     void add(const Vec3& x, FeatureSum& sum, double weight = 1.0) const {
         const FeaturePoint p = point(x);
@@ -66,7 +56,7 @@ class PlaneFeatures {
     }
 
     const PlacedCore& core_;
-    const Plane& plane_;
+    const PlaneField& plane_;
     FeatureSum& features_;
 };
 
@@ -151,7 +141,7 @@ class TubeFeatures {
         const double overlap = p.r + core_.rounding - wall_.radius;
         if (weight > 0.0) gap_ = std::min(gap_, -overlap);
         if (!(overlap > 0.0)) return false;
-        if (std::isfinite(wall_.length) && (p.z < 0.0 || p.z > wall_.length)) return false;
+        if (!wall_.reaches(p.z)) return false;
         const Vec3 position = p.x + (core_.rounding - 0.5 * overlap) * p.outward;
         visit(FeaturePoint{position, -p.outward, overlap}, weight);
         return true;
@@ -195,14 +185,11 @@ PairContact in_tube(const ConvexShape& a, const CylinderWall& wall, const Convex
 PairContact at_rod(const ConvexShape& a, const CylinderWall& wall, const ConvexCall& call) {
     const Vec3 axis = body_axis(call.pair.j.orientation);
     const AxialPoint c = axial_point(-call.pair.displacement, axis);
-    const double beyond_end =
-        std::isinf(wall.length) ? -infinite : std::max(-c.z, c.z - wall.length);
-    const double clear = std::max(c.r - wall.radius, beyond_end) - a.bounding_radius;
+    const double clear = std::max(c.r - wall.radius, wall.beyond_end(c.z)) - a.bounding_radius;
     if (clear > 0.0) return keep_apart(call.memory, clear);
     const double reach = 2.0 * a.bounding_radius;
-    const bool is_endless = std::isinf(wall.length);
-    const double low = is_endless ? c.z - reach : std::max(0.0, c.z - reach);
-    const double high = is_endless ? c.z + reach : std::min(wall.length, c.z + reach);
+    const double low = wall.is_endless() ? c.z - reach : std::max(0.0, c.z - reach);
+    const double high = wall.is_endless() ? c.z + reach : std::min(wall.length, c.z + reach);
     ConvexShape rod;
     rod.core = ConvexShape::Core::cylinder;
     rod.size = Vec3(wall.radius, wall.radius, high - low);
@@ -217,13 +204,13 @@ PairContact at_rod(const ConvexShape& a, const CylinderWall& wall, const ConvexC
 
 PairContact collide(const ConvexShape& a, const PlaneWall& wall, const PairState& pair,
                     const ContactLaw& law, double dt, const ConvexMemory& memory) {
-    const Plane plane{pair.displacement, body_axis(pair.j.orientation), wall.radius};
-    const double height = plane.height(Vec3::Zero());
+    const PlaneField plane{{0.0}, {pair.displacement, body_axis(pair.j.orientation)}, wall};
+    const double height = plane.distance(Vec3::Zero());
     if (height > a.bounding_radius) return keep_apart(memory, height - a.bounding_radius);
-    if (std::isfinite(wall.radius) && height < 0.0) return keep_apart(memory, -height);
+    if (plane.lets_pass(Vec3::Zero())) return keep_apart(memory, -height);
     const PlacedCore core(a, pair.i.orientation, Vec3::Zero());
-    const CorePoint lowest = core.support(-plane.normal, memory.history.search.a[0].vertex);
-    const double deepest = a.rounding - plane.height(lowest.position);
+    const CorePoint lowest = core.support(-plane.frame.axis, memory.history.search.a[0].vertex);
+    const double deepest = a.rounding - plane.distance(lowest.position);
     if (!(deepest > 0.0)) return keep_apart(memory, -deepest);
     FeatureSum features(pair, deepest);
     PlaneFeatures(core, plane, features).add_all(lowest.vertex, memory.scratch);

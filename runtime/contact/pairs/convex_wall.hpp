@@ -6,8 +6,8 @@
 
 namespace dem {
 
-/// Convex shapes against wall primitives (wall_shapes.hpp): every near vertex and rim as a feature.
-/// The wall's curvature does not enter R*. A solid rod is a convex shape of its own.
+/// Convex shapes against walls (wall_shapes.hpp): every near vertex and rim as a feature. The
+/// wall's curvature does not enter R*. A solid rod is a convex shape of its own.
 PairContact collide(const ConvexShape& a, const PlaneWall& wall, const PairState& pair,
                     const ContactLaw& law, double dt, const ConvexMemory& memory);
 PairContact collide(const ConvexShape& a, const CylinderWall& wall, const PairState& pair,

@@ -5,13 +5,12 @@
 #include "runtime/contact/contact_types.hpp"
 #include "runtime/contact/walls/wall_shapes.hpp"
 
-/// A sphere against a wall primitive (wall_shapes.hpp). The wall's curvature does not enter R*.
 namespace dem {
 
-PairContact collide(const Sphere& a, const PlaneWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, PointHistory& history);
-
-PairContact collide(const Sphere& a, const CylinderWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, PointHistory& history);
+/// A sphere against a wall (wall_shapes.hpp), which it touches in the point of the wall nearest to
+/// its center. The wall's curvature does not enter R*.
+template <AnyWall Wall>
+PairContact collide(const Sphere& a, const Wall& wall, const PairState& pair, const ContactLaw& law,
+                    double dt, PointHistory& history);
 
 }  // namespace dem

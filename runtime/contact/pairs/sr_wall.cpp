@@ -4,10 +4,8 @@
 #include "runtime/contact/smooth/smooth_contact.hpp"
 #include "runtime/contact/smooth/sr_rod.hpp"
 #include "runtime/contact/smooth/sr_tube.hpp"
-#include "runtime/contact/walls/wall_frame.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace dem {
 
@@ -76,10 +74,8 @@ PairContact collide(const SrShape& a, const PlaneWall& wall, const PairState& pa
     if (!(overlap > 0.0)) return no_contact(memory, -overlap);
     const Vec3 spin = dt * (pair.i.angular_velocity - pair.j.angular_velocity);
     const Vec3 x = mean_place(support, s, n, spin, a.bounding_radius);
-    if (std::isfinite(wall.radius)) {
-        const double r = axial_point(x - pair.displacement, n).r;
-        if (height < 0.0 || r > wall.radius) return no_contact(memory, 0.0);
-    }
+    const PlaneField field{{0.0}, {pair.displacement, n}, wall};
+    if (!field.accepts(x) || field.lets_pass(Vec3::Zero())) return no_contact(memory, 0.0);
     const ContactPoint point{x + 0.5 * overlap * n, n, overlap, 0};
     const double radius = contact_radius(law, s, a.equivalent_diameter);
     return contact_force(point, radius, pair, law, dt, memory.history);

@@ -6,9 +6,28 @@
 #include "runtime/contact/law/contact_point.hpp"
 #include "runtime/contact/walls/wall_shapes.hpp"
 
-/// Convex surfaces of revolution against wall primitives (wall_shapes.hpp), exact. The wall's
+#include <type_traits>
+
+/// Convex surfaces of revolution against walls with a kernel by support maps, exact. The wall's
 /// curvature does not enter R*.
 namespace dem {
+
+/// What the smooth kernel of a wall remembers of a contact. Walls that are not named here have no
+/// such kernel: they are touched by nodes (sr_wall_nodes.hpp).
+template <class Wall>
+struct SmoothHistory {};
+template <>
+struct SmoothHistory<PlaneWall> {
+    using Type = PointHistory;
+};
+template <>
+struct SmoothHistory<CylinderWall> {
+    using Type = PatchHistory;
+};
+template <class Wall>
+concept SmoothWall = requires {
+    typename SmoothHistory<Wall>::Type;
+};
 
 PairContact collide(const SrShape& a, const PlaneWall& wall, const PairState& pair,
                     const ContactLaw& law, double dt, const ContactMemory<PointHistory>& memory);

@@ -2,9 +2,6 @@
 #include "runtime/contact/pairs/sr_wall_nodes.hpp"
 
 #include "runtime/contact/smooth/sr_curvature.hpp"
-#include "runtime/contact/walls/wall_frame.hpp"
-
-#include <cmath>
 
 namespace dem {
 
@@ -32,32 +29,22 @@ PairContact against(const SrShape& a, const Field& field, const NodeFrame& frame
 
 }  // namespace
 
-PairContact collide(const SrShape& a, const PlaneWall& wall, const PairState& pair,
+template <AnyWall Wall>
+PairContact collide(const SrShape& a, const Wall& wall, const PairState& pair,
                     const ContactLaw& law, double dt, const NodeMemory& memory) {
-    const NodeCall call{pair, law, dt, memory};
-    const Vec3 normal = body_axis(pair.j.orientation);
-    const double in_front = -pair.displacement.dot(normal);
-    // A disc acts on bodies in front of it; one behind has at least the way through it to go.
-    if (std::isfinite(wall.radius) && in_front <= 0.0) return keep_apart(-in_front, memory);
     const NodeFrame frame{pair.i.orientation.toRotationMatrix()};
-    const PlaneField field{{rounding(a)},
-                           frame.to_world.transpose() * pair.displacement,
-                           frame.to_world.transpose() * normal,
-                           wall.radius};
-    return against(a, field, frame, call);
+    const WallFrame place{frame.to_world.transpose() * pair.displacement,
+                          frame.to_world.transpose() * body_axis(pair.j.orientation)};
+    return wall.with_field(place, rounding(a), [&](const auto& field) {
+        const Vec3 center = Vec3::Zero();
+        if (field.lets_pass(center)) return keep_apart(-field.sample(center).distance, memory);
+        return against(a, field, frame, {pair, law, dt, memory});
+    });
 }
 
-PairContact collide(const SrShape& a, const CylinderWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, const NodeMemory& memory) {
-    const NodeFrame frame{pair.i.orientation.toRotationMatrix()};
-    const NodeCall call{pair, law, dt, memory};
-    const Vec3 origin = frame.to_world.transpose() * pair.displacement;
-    const Vec3 axis = frame.to_world.transpose() * body_axis(pair.j.orientation);
-    const ExactField exact{rounding(a)};
-    if (wall.inside) {
-        return against(a, TubeField{exact, origin, axis, wall.radius, wall.length}, frame, call);
-    }
-    return against(a, RodField{exact, origin, axis, wall.radius, wall.length}, frame, call);
-}
+#define DEM_NODES_AT(Wall)                                                                         \
+    template PairContact collide(const SrShape&, const Wall&, const PairState&, const ContactLaw&, \
+                                 double, const NodeMemory&);
+DEM_FOR_EACH_WALL_SHAPE(DEM_NODES_AT)
 
 }  // namespace dem

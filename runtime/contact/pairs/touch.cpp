@@ -18,7 +18,6 @@
 #include "runtime/contact/pairs/sr_wall.hpp"
 #include "runtime/contact/pairs/sr_wall_nodes.hpp"
 #include "runtime/contact/smooth/support_sample.hpp"
-#include "runtime/contact/walls/wall_frame.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -128,9 +127,10 @@ bool touching(const Sphere& a, const Wall& wall, const PairState& pair) {
 }
 template <class Wall>
 bool touching(const SrShape& a, const Wall& wall, const PairState& pair) {
-    using History = std::conditional_t<std::is_same_v<Wall, PlaneWall>, PointHistory, PatchHistory>;
-    return a.is_convex ? by_support<History>(a, wall, pair)
-                       : by_nodes(a, wall, pair, a.nodes.nodes.size());
+    if constexpr (SmoothWall<Wall>) {
+        if (a.is_convex) return by_support<typename SmoothHistory<Wall>::Type>(a, wall, pair);
+    }
+    return by_nodes(a, wall, pair, a.nodes.nodes.size());
 }
 
 double extent(const Sphere& shape, const Quat&, const Vec3&) {

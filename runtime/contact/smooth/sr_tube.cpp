@@ -203,7 +203,7 @@ class InsideSearch {
     bool add(const PlanarOutline::Sample& s, WallTouch& touch) const {
         const Vec3 x = s.support.point(s.e);
         const double z = (center_ + x).dot(axis_);
-        if (std::isfinite(wall_.length) && (z < 0.0 || z > wall_.length)) return false;
+        if (!wall_.reaches(z)) return false;
         touch.add(x, -s.e, s.value - wall_.radius, s.support);
         return true;
     }

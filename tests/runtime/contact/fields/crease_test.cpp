@@ -5,6 +5,7 @@
 #include "common/shapes/make_convex.hpp"
 #include "runtime/contact/fields/core_field.hpp"
 #include "runtime/contact/fields/node_fields.hpp"
+#include "runtime/contact/walls/wall_shapes.hpp"
 
 #include <array>
 #include <vector>

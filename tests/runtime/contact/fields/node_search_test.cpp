@@ -3,6 +3,7 @@
 
 #include "common/random.hpp"
 #include "runtime/contact/fields/node_fields.hpp"
+#include "runtime/contact/walls/wall_shapes.hpp"
 #include "tests/runtime/contact/sr_fixture.hpp"
 
 #include <cmath>
