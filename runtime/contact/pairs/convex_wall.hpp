@@ -13,4 +13,9 @@ PairContact collide(const ConvexShape& a, const PlaneWall& wall, const PairState
 PairContact collide(const ConvexShape& a, const CylinderWall& wall, const PairState& pair,
                     const ContactLaw& law, double dt, const ConvexMemory& memory);
 
+/// Walls without a kernel of their own, by their distance fields (convex_in_field.hpp).
+template <AnyWall Wall>
+PairContact collide(const ConvexShape& a, const Wall& wall, const PairState& pair,
+                    const ContactLaw& law, double dt, const ConvexMemory& memory);
+
 }  // namespace dem
