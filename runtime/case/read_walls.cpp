@@ -94,7 +94,7 @@ void read_box(const Values& values, const Wall& base, Scene& scene) {
 Vec3 rotation_axis(const Values& values, Shape shape) {
     if (values.has("rotation_axis")) return values.direction("rotation_axis");
     if (shape == Shape::plane) return values.direction("normal");
-    if (shape == Shape::cylinder) return values.direction("axis");
+    if (shape != Shape::box) return values.direction("axis");
     throw Error(values.section_where(), "no 'rotation_axis' in [" + values.section_name() +
                                             "], a box that rotates needs it");
 }
