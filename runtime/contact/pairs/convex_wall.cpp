@@ -4,7 +4,6 @@
 #include "common/math/elementary.hpp"
 #include "runtime/contact/cores/core_pair.hpp"
 #include "runtime/contact/cores/farthest_of_ellipse.hpp"
-#include "runtime/contact/pairs/convex_in_field.hpp"
 
 #include <algorithm>
 #include <array>
@@ -227,19 +226,5 @@ PairContact collide(const ConvexShape& a, const CylinderWall& wall, const PairSt
     const ConvexCall call{pair, law, dt, memory};
     return wall.inside ? in_tube(a, wall, call) : at_rod(a, wall, call);
 }
-
-template <AnyWall Wall>
-PairContact collide(const ConvexShape& a, const Wall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, const ConvexMemory& memory) {
-    const WallFrame frame{pair.displacement, body_axis(pair.j.orientation)};
-    return wall.with_field(frame, 0.0, [&](const auto& field) {
-        return convex_in_field(a, field, {pair, law, dt, memory});
-    });
-}
-
-#define DEM_CONVEX_AT(Wall)                                                         \
-    template PairContact collide(const ConvexShape&, const Wall&, const PairState&, \
-                                 const ContactLaw&, double, const ConvexMemory&);
-DEM_FOR_EACH_WALL_SHAPE(DEM_CONVEX_AT)
 
 }  // namespace dem
