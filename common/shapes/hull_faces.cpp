@@ -65,6 +65,21 @@ class Surface {
         return longest;
     }
 
+    /// Whether a corner of an outline lies farther inside it than what counts as flat.
+    bool is_bent(const std::vector<Index>& outline) const {
+        const auto corner = [&](std::size_t k) { return points_[outline[k % outline.size()]]; };
+        Vec3 normal = Vec3::Zero();
+        for (std::size_t k = 1; k + 1 < outline.size(); ++k)
+            normal += (corner(k) - corner(0)).cross(corner(k + 1) - corner(0));
+        normal.normalize();
+        for (std::size_t k = 0; k < outline.size(); ++k) {
+            const Vec3 along = corner(k + 2) - corner(k);
+            const double turn = normal.dot((corner(k + 1) - corner(k)).cross(along));
+            if (turn < -tolerance_ * along.norm()) return true;
+        }
+        return false;
+    }
+
   private:
     static std::uint64_t key(Index from, Index to) { return std::uint64_t{from} << 32 | to; }
     double length(const std::array<Index, 2>& edge) const {
@@ -93,8 +108,8 @@ void give_thin_ones_away(const Surface& surface, std::vector<Index>& face) {
 }
 
 /// Number of the face of every triangle: the largest triangle left takes its neighbors that lie in
-/// its plane.
-std::vector<Index> joined(const Surface& surface) {
+/// its plane, but for those that are to be alone.
+std::vector<Index> joined(const Surface& surface, const std::vector<bool>& is_alone) {
     std::vector<Index> face(surface.size(), none);
     std::vector<std::size_t> order(surface.size());
     for (std::size_t t = 0; t < surface.size(); ++t) order[t] = t;
@@ -111,7 +126,9 @@ std::vector<Index> joined(const Surface& surface) {
             stack.pop_back();
             for (std::size_t e = 0; e < 3; ++e) {
                 const std::size_t other = surface.across(v[e], v[(e + 1) % 3]);
-                if (face[other] != none || !surface.is_in_plane(other, seed)) continue;
+                if (face[other] != none || is_alone[seed] || is_alone[other] ||
+                    !surface.is_in_plane(other, seed))
+                    continue;
                 face[other] = count;
                 stack.push_back(other);
             }
@@ -200,14 +217,35 @@ void fail_flat_hull(std::size_t points) {
                 "all " + std::to_string(points) + " points lie in one plane, expected a solid");
 }
 
+namespace {
+
+/// The faces of a surface, all of them convex; none where outlines have holes or the faces make no
+/// solid.
+std::optional<ConvexPolyhedron> solid_of(const Surface& surface, std::span<const Vec3> points) {
+    std::vector<bool> is_alone(surface.size());
+    for (;;) {
+        const std::vector<Index> face = joined(surface, is_alone);
+        const auto faces = outlines(surface, face);
+        if (!faces || faces->size() < 4) return std::nullopt;
+        // Where points lie by about the tolerance beside a plane, some of its triangles join and
+        // others do not: what they make is any polygon.
+        bool is_any_bent = false;
+        for (std::size_t t = 0; t < surface.size(); ++t) {
+            if (is_alone[t] || face[t] == none || !surface.is_bent((*faces)[face[t]])) continue;
+            is_alone[t] = is_any_bent = true;
+        }
+        if (!is_any_bent) return assembled(*faces, points);
+    }
+}
+
+}  // namespace
+
 ConvexPolyhedron polyhedron_of(std::span<const Vec3> points, std::span<const Corners> triangles) {
     Surface surface(points, triangles);
     // Where points lie by just the tolerance beside a plane, parts of it may join around others.
     for (const double flat : {1e-9, 1e-10, 1e-11}) {
         surface.set_tolerance(flat);
-        const auto faces = outlines(surface, joined(surface));
-        if (!faces) continue;
-        if (auto solid = assembled(*faces, points)) return std::move(*solid);
+        if (auto solid = solid_of(surface, points)) return std::move(*solid);
     }
     throw Error("convex hull",
                 "the points are too nearly in one plane or one line to tell the faces of their "

@@ -18,8 +18,9 @@ void require_points_of_hull(std::span<const Vec3> points);
 
 /// The solid inside triangles of a closed convex surface, whose corners are numbers of points.
 /// Triangles that lie within 1e-9 of the extent of one plane become one face (down to 1e-11 where
-/// such faces would have holes); one that is lower than this has no plane of its own and belongs to
-/// the face along its longest edge. Throws Error where faces cannot be told apart.
+/// such faces would have holes), unless it would not be convex; one that is lower than this has no
+/// plane of its own and belongs to the face along its longest edge. Throws Error where faces cannot
+/// be told apart.
 ConvexPolyhedron polyhedron_of(std::span<const Vec3> points,
                                std::span<const std::array<std::uint32_t, 3>> triangles);
 

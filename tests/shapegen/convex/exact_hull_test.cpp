@@ -6,6 +6,7 @@
 #include "common/shapes/hull_faces.hpp"
 #include "tests/common/shapes/sample_convex.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -38,6 +39,21 @@ std::vector<Vec3> gridded_box(const Vec3& edges, int cells, const Quat& attitude
     return points;
 }
 
+/// How far a corner of a face lies inside of the line through its neighbors at most.
+double deepest_notch(const ConvexPolyhedron& solid) {
+    double deepest = 0.0;
+    for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+        const auto& face = solid.faces[f];
+        const auto corner = [&](std::size_t k) { return solid.vertices[face[k % face.size()]]; };
+        for (std::size_t k = 0; k < face.size(); ++k) {
+            const Vec3 along = (corner(k + 2) - corner(k)).normalized();
+            const double turn = solid.normal(f).dot((corner(k + 1) - corner(k)).cross(along));
+            deepest = std::max(deepest, -turn);
+        }
+    }
+    return deepest;
+}
+
 TEST(ExactHull, OfAFineBoxInSinglePrecisionErodesAsTheBox) {
     // Rounding leaves the points of a face 6e-8 of the extent beside it: some see a face that
     // faces inwards, or none, where heights are told by a tolerance.
@@ -51,6 +67,10 @@ TEST(ExactHull, OfAFineBoxInSinglePrecisionErodesAsTheBox) {
         const ConvexPolyhedron core = eroded(hull, depth, exact_hull);
         const double expected = (edges - Vec3::Constant(2.0 * depth)).prod();
         EXPECT_NEAR(volume(core) / expected, 1.0, 2e-6) << k;
+        // Some of the points lie by about what counts as flat beside a plane: which triangles join
+        // must not make faces of any form. (Twice 1e-9 of the extent: thin triangles join as well.)
+        EXPECT_LT(deepest_notch(hull), 2e-9 * edges.norm()) << k;
+        EXPECT_LT(deepest_notch(core), 2e-9 * edges.norm()) << k;
     }
 }
 
