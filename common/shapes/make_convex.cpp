@@ -133,16 +133,17 @@ ConvexSolid with_mass_properties(ConvexShape shape) {
     return result;
 }
 
-ConvexSolid make_convex_polyhedron(std::span<const Vec3> points, double rounding) {
+ConvexSolid make_convex_polyhedron(std::span<const Vec3> points, double rounding,
+                                   const HullOfPoints& hull_of) {
     if (!(rounding >= 0.0)) require_rounding(rounding, std::numeric_limits<double>::infinity());
-    ConvexPolyhedron hull = convex_hull(points);
+    ConvexPolyhedron hull = hull_of(points);
     // About a point inside: no differences of large moments.
     Vec3 origin = Vec3::Zero();
     for (const Vec3& v : hull.vertices) origin += v;
     origin /= static_cast<double>(hull.vertices.size());
     for (Vec3& v : hull.vertices) v -= origin;
     const double sharp = convex_moments(rounded_around(hull, 0.0)).volume;
-    ConvexSolid result = solid(rounded_around(eroded(hull, rounding), rounding), sharp);
+    ConvexSolid result = solid(rounded_around(eroded(hull, rounding, hull_of), rounding), sharp);
     result.mass_properties.center_of_mass += origin;
     return result;
 }
@@ -150,12 +151,15 @@ ConvexSolid make_convex_polyhedron(std::span<const Vec3> points, double rounding
 ConvexSolid make_cuboid(const Vec3& edge_lengths, double rounding) {
     for (int i = 0; i < 3; ++i) require_positive(edge_lengths[i], "edge length");
     require_rounding(rounding, 0.5 * edge_lengths.minCoeff());
-    std::vector<Vec3> corners;
+    ConvexPolyhedron core;
     for (int k = 0; k < 8; ++k) {
         const Vec3 sign(k & 1 ? 0.5 : -0.5, k & 2 ? 0.5 : -0.5, k & 4 ? 0.5 : -0.5);
-        corners.emplace_back(sign.cwiseProduct(edge_lengths - Vec3::Constant(2.0 * rounding)));
+        core.vertices.emplace_back(
+            sign.cwiseProduct(edge_lengths - Vec3::Constant(2.0 * rounding)));
     }
-    return solid(rounded_around(convex_hull(corners), rounding), edge_lengths.prod());
+    core.faces = {{0, 1, 5, 4}, {0, 2, 3, 1}, {0, 4, 6, 2},
+                  {1, 3, 7, 5}, {2, 6, 7, 3}, {4, 5, 7, 6}};
+    return solid(rounded_around(core, rounding), edge_lengths.prod());
 }
 
 ConvexSolid make_cylinder(double radius, double height, double rounding) {

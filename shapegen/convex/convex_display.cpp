@@ -2,6 +2,7 @@
 #include "shapegen/convex/convex_display.hpp"
 
 #include "common/math/elementary.hpp"
+#include "shapegen/convex/exact_hull.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -138,7 +139,7 @@ double rise(const ConvexShape& shape, const ConvexPolyhedron& hull, std::size_t 
 /// (sandwich algorithm).
 void refine(const ConvexShape& shape, double tolerance, std::vector<Vec3>& points) {
     for (int round = 0; round < most_rounds && points.size() < most_points; ++round) {
-        const ConvexPolyhedron hull = convex_hull(points);
+        const ConvexPolyhedron hull = exact_hull(points);
         const std::size_t before = points.size();
         for (std::size_t f = 0; f < hull.faces.size(); ++f)
             if (rise(shape, hull, f) > tolerance)
@@ -165,7 +166,7 @@ DisplayMesh convex_display_mesh(const ConvexShape& shape, double tolerance) {
     std::vector<Vec3> points =
         has_faces ? polyhedron_points(shape) : round_points(shape, tolerance);
     if (has_faces) refine(shape, tolerance, points);
-    const ConvexPolyhedron hull = convex_hull(points);
+    const ConvexPolyhedron hull = exact_hull(points);
     DisplayMesh mesh = display_mesh(hull);
     for (std::size_t f = 0; f < hull.faces.size(); ++f)
         mesh.max_deviation = std::max(mesh.max_deviation, rise(shape, hull, f));

@@ -2,10 +2,11 @@
 #include "shapegen/convex/convex_file.hpp"
 
 #include "common/error.hpp"
-#include "common/shapes/make_oblong.hpp"
 #include "common/state_hash.hpp"
 #include "common/text.hpp"
 #include "formats/text_file.hpp"
+#include "shapegen/convex/exact_hull.hpp"
+#include "shapegen/convex/make_oblong.hpp"
 #include "shapegen/profile/shape_parameters.hpp"
 
 #include <algorithm>
@@ -100,7 +101,7 @@ ConvexSolid disc(const Parameters& p, double) {
 }
 ConvexSolid polyhedron(const Parameters& p, double rounding) {
     const auto corners = points(p.text());
-    return make_convex_polyhedron(corners, rounding);
+    return make_convex_polyhedron(corners, rounding, exact_hull);
 }
 
 ConvexSolid oblong(const Parameters& p, double rounding) {
@@ -212,7 +213,7 @@ ConvexSolid rounded(const ProfileText& text, const NamedConvex& shape,
 std::vector<std::string> notes(const ProfileText& text, const NamedConvex& shape) {
     if (shape.name != "polyhedron") return {};
     const auto given = points(text);
-    const std::size_t corners = convex_hull(given).vertices.size();
+    const std::size_t corners = exact_hull(given).vertices.size();
     if (corners == given.size()) return {};
     return {std::to_string(given.size()) + " points, of which " +
             std::to_string(given.size() - corners) +

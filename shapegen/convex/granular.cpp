@@ -7,6 +7,7 @@
 #include "common/shapes/convex_moments.hpp"
 #include "shapegen/convex/convex_display.hpp"
 #include "shapegen/convex/core_scale.hpp"
+#include "shapegen/convex/exact_hull.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +96,7 @@ struct Centered {
 };
 
 Centered centered_hull(const std::vector<Vec3>& corners) {
-    Centered result{convex_hull(corners), 0.0, 0.0};
+    Centered result{exact_hull(corners), 0.0, 0.0};
     const ConvexMoments m = convex_moments(rounded_around(result.solid, 0.0));
     for (Vec3& v : result.solid.vertices) v -= m.first / m.volume;
     result.volume = m.volume;
@@ -108,13 +109,13 @@ Centered centered_hull(const std::vector<Vec3>& corners) {
 /// no longer meet in one point.)
 ConvexPolyhedron core_of(const ConvexPolyhedron& hull, double rounding) {
     if (rounding == 0.0) return hull;
-    const ConvexShape inner = rounded_around(eroded(hull, rounding), 0.0);
+    const ConvexShape inner = rounded_around(eroded(hull, rounding, exact_hull), 0.0);
     std::vector<Vec3> nearest;
     for (const Vec3& v : hull.vertices) {
         const SurfaceDistance d = surface_distance(inner, v);
         nearest.emplace_back(v - d.distance * d.normal);
     }
-    return convex_hull(nearest);
+    return exact_hull(nearest);
 }
 
 /// Largest distance from the surface of the polyhedron to that of the rounded body, both in the

@@ -2,9 +2,12 @@
 #include "shapegen/convex/convex_file.hpp"
 
 #include "common/error.hpp"
+#include "common/random.hpp"
+#include "tests/shapegen/convex/gridded_box.hpp"
 
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -136,6 +139,27 @@ TEST(ConvexFile, NamedShapesHaveTheVolumesOfTheirClosedForms) {
                   (8.0 * pi + 0.5 * pi * 2.0 * pi * (2.0 + 4.0 / (3.0 * pi))) * 1e-9);
     expect_volume("units=mm\nshape=polyhedron\nrounding=0\n0 0 0\n1,0,0\n0;1;0\n0 0 1 # tip",
                   1e-9 / 6.0);
+}
+
+TEST(ConvexFile, PointsOfAFineBoxInSinglePrecisionMakeTheBoxSharpAndRounded) {
+    const Vec3 edges(5.672, 5.387, 0.4734);
+    Random random(3, 1);
+    for (int k = 0; k < 20; ++k) {
+        std::ostringstream text;
+        text.precision(9);
+        text << "shape = polyhedron\nunits = mm\n";
+        for (const Vec3& p : test::gridded_box(edges, 6 + k % 10, random.orientation()))
+            text << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+        for (const double r : {0.0, 0.02}) {
+            // Steiner's formula for what is within r of the box that lies r below.
+            const Vec3 a = edges - Vec3::Constant(2.0 * r);
+            const double expected = a.prod() +
+                                    2.0 * r * (a.x() * a.y() + a.y() * a.z() + a.z() * a.x()) +
+                                    pi * r * r * a.sum() + 4.0 / 3.0 * pi * r * r * r;
+            const double found = volume("rounding = " + std::to_string(r) + '\n' + text.str());
+            EXPECT_NEAR(found / (1e-9 * expected), 1.0, 2e-6) << k << ' ' << r;
+        }
+    }
 }
 
 TEST(ConvexFile, ARoundingIsALengthAShareOfTheDiameterOrTheDefault) {

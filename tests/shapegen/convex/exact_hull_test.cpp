@@ -5,6 +5,7 @@
 #include "common/shapes/convex_moments.hpp"
 #include "common/shapes/hull_faces.hpp"
 #include "tests/common/shapes/sample_convex.hpp"
+#include "tests/shapegen/convex/gridded_box.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -16,27 +17,6 @@ namespace {
 
 double volume(const ConvexPolyhedron& solid) {
     return convex_moments(rounded_around(solid, 0.0)).volume;
-}
-
-/// As binary STL holds it.
-Vec3 single_precision(const Vec3& p) {
-    return p.cast<float>().cast<double>();
-}
-
-/// Corners of a box whose faces are grids, turned, in single precision.
-std::vector<Vec3> gridded_box(const Vec3& edges, int cells, const Quat& attitude) {
-    std::vector<Vec3> points;
-    for (int face = 0; face < 6; ++face) {
-        for (int i = 0; i <= cells; ++i) {
-            for (int j = 0; j <= cells; ++j) {
-                Vec3 p = Vec3::Constant(face < 3 ? 0.0 : 1.0);
-                p[(face + 1) % 3] = static_cast<double>(i) / cells;
-                p[(face + 2) % 3] = static_cast<double>(j) / cells;
-                points.push_back(single_precision(attitude * p.cwiseProduct(edges)));
-            }
-        }
-    }
-    return points;
 }
 
 /// How far a corner of a face lies inside of the line through its neighbors at most.
@@ -55,8 +35,7 @@ double deepest_notch(const ConvexPolyhedron& solid) {
 }
 
 TEST(ExactHull, OfAFineBoxInSinglePrecisionErodesAsTheBox) {
-    // Rounding leaves the points of a face 6e-8 of the extent beside it: some see a face that
-    // faces inwards, or none, where heights are told by a tolerance.
+    // Some points see a face that faces inwards, or none, where heights are told by a tolerance.
     const Vec3 edges(5.672, 5.387, 0.4734);
     const double depth = 0.02;
     Random random(3, 1);

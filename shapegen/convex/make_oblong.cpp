@@ -1,8 +1,9 @@
-// SPDX-License-Identifier: BSD-3-Clause
-#include "common/shapes/make_oblong.hpp"
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapegen/convex/make_oblong.hpp"
 
 #include "common/math/elementary.hpp"
 #include "common/shapes/convex_moments.hpp"
+#include "shapegen/convex/exact_hull.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,7 +85,7 @@ std::vector<Vec3> corners(const OblongTablet& t) {
 
 std::vector<Vec3> stretched_corners(const OblongTablet& t) {
     std::vector<Vec3> points = corners(t);
-    const double found = convex_moments(rounded_around(convex_hull(points), 0.0)).volume;
+    const double found = convex_moments(rounded_around(exact_hull(points), 0.0)).volume;
     const double stretch = std::sqrt(volume(t) / found);
     for (Vec3& p : points) p.head<2>() *= stretch;
     return points;
@@ -119,11 +120,11 @@ double volume(const OblongTablet& t) {
 }
 
 ConvexSolid make_oblong(const OblongTablet& tablet, double rounding) {
-    return make_convex_polyhedron(stretched_corners(tablet), rounding);
+    return make_convex_polyhedron(stretched_corners(tablet), rounding, exact_hull);
 }
 
 double facet_error(const OblongTablet& t) {
-    const ConvexShape facets = rounded_around(convex_hull(stretched_corners(t)), 0.0);
+    const ConvexShape facets = rounded_around(exact_hull(stretched_corners(t)), 0.0);
     const double half = 0.5 * (t.length - t.width);
     const int steps = 2 * t.sides;  // four for each facet of a quarter circle
     double largest = 0.0;
