@@ -136,7 +136,7 @@ void check_nodes(const SurfaceNodes& nodes, double bounding_radius, const ValueC
     check.require(nodes.nodes.size() == blocks * block && nodes.blocks.size() == blocks &&
                       nodes.super_blocks.size() == (blocks + 15) / 16 &&
                       nodes.stencil.size() == std::uint64_t{nodes.count} * nodes.stencil_size,
-                  "the numbers of surface nodes, blocks and neighbours do not match");
+                  "the numbers of surface nodes, blocks and neighbors do not match");
     const double limit = square(bounding_radius * check.slack);
     for (const auto& ball : nodes.blocks) check.not_negative(ball.radius, "radius of a block");
     for (const auto& ball : nodes.super_blocks)
@@ -154,7 +154,7 @@ void check_nodes(const SurfaceNodes& nodes, double bounding_radius, const ValueC
                       "the last block of surface nodes is not filled with its last node");
     }
     for (const std::uint32_t neighbor : nodes.stencil) {
-        check.require(neighbor < nodes.count, "a surface node has a neighbour that does not exist");
+        check.require(neighbor < nodes.count, "a surface node has a neighbor that does not exist");
     }
 }
 

@@ -30,8 +30,8 @@ using Certificate = std::vector<std::pair<std::string, double>>;
 struct ParticleTemplate {
     std::string name;
     MassProperties mass_properties;
-    double bounding_radius = 0.0;                ///< about the centre of mass [m]
-    double mean_squared_surface_distance = 0.0;  ///< area-weighted, from the centre of mass [m^2]
+    double bounding_radius = 0.0;                ///< about the center of mass [m]
+    double mean_squared_surface_distance = 0.0;  ///< area-weighted, from the center of mass [m^2]
     bool is_convex = false;
     DisplayMesh display_mesh;
     Certificate certificate;

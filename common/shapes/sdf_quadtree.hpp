@@ -8,7 +8,7 @@
 
 namespace dem {
 
-/// Interpolated signed distance and its exact gradient with respect to (r, z) (not normalised).
+/// Interpolated signed distance and its exact gradient with respect to (r, z) (not normalized).
 struct SdfSample {
     double distance;  ///< [m], negative inside
     double d_dr, d_dz;

@@ -9,7 +9,7 @@
 #include <limits>
 
 /// What `shapegen` computes for a surface of revolution (SR) and `demrun` uses. Body frame: origin
-/// at the centre of mass, axis of revolution = body z; the half cross-section lies in (r, z) with
+/// at the center of mass, axis of revolution = body z; the half cross-section lies in (r, z) with
 /// r = sqrt(x^2 + y^2). Arrays of plain types only: they are mapped straight from a template file.
 namespace dem {
 
@@ -105,7 +105,7 @@ struct SrShape {
     double bottom_z = 0.0;             ///< z of the profile's lower end [m]
     double top_z = 0.0;                ///< z of the profile's upper end [m]
     double max_radius = 0.0;           ///< largest distance from the axis [m]
-    double bounding_radius = 0.0;      ///< about the centre of mass [m]
+    double bounding_radius = 0.0;      ///< about the center of mass [m]
     double equivalent_diameter = 0.0;  ///< d_eq [m]
     double major_axis_length = 0.0;    ///< l [m]
     SupportMap support;

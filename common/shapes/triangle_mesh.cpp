@@ -72,7 +72,7 @@ double enclosed_volume(const TriangleMesh& mesh) {
 }
 
 MassProperties mass_properties(const TriangleMesh& mesh) {
-    // About the middle first, then about the centre of mass: no difference of large moments.
+    // About the middle first, then about the center of mass: no difference of large moments.
     const Vec3 origin = middle(mesh);
     const VolumeMoments rough = volume_moments(mesh, origin);
     const Vec3 center = origin + rough.first / rough.volume;

@@ -29,7 +29,7 @@ double surface_area(const TriangleMesh& mesh);
 double enclosed_volume(const TriangleMesh& mesh);
 
 /// Exact for the polyhedron up to rounding (about 1e-13 relative): the closed form of the
-/// tetrahedra that the triangles span with a point near the centre.
+/// tetrahedra that the triangles span with a point near the center.
 MassProperties mass_properties(const TriangleMesh& mesh);
 
 /// Area-weighted mean of the squared distance from `center` to the surface [m^2], closed form.

@@ -66,7 +66,7 @@ TriangleMeshTree::Candidate TriangleMeshTree::nearest_on(const Triangle& t, cons
     return best;
 }
 
-/// Halves the triangles at the median of their centres along the longest side, twice per node.
+/// Halves the triangles at the median of their centers along the longest side, twice per node.
 struct TriangleMeshTree::Builder {
     struct Item {
         Aabb box;

@@ -26,7 +26,7 @@ constexpr std::array entries = {
           "  the same, largest (large only in cells that hold an edge)"},
     Entry{"support_error_max", "l", "support points against the profile's"},
     Entry{"curvature_error_max", "", "curvature between the samples of its table, relative"},
-    Entry{"node_spacing_mean", "l", "distance of a surface node from its nearest neighbour, mean"},
+    Entry{"node_spacing_mean", "l", "distance of a surface node from its nearest neighbor, mean"},
     Entry{"node_spacing_max", "l", "  the same, largest"},
     Entry{"node_surface_error_max", "l", "surface spanned by the nodes"},
     Entry{"display_mesh_error_max", nullptr, "surface shown in pictures"},

@@ -21,7 +21,7 @@ class InputFrame {
     double length(double meters) const { return meters / unit_; }
     double unit() const { return unit_; }  ///< [m]
 
-    /// The name of the unit, or what it is in metres where it has none: "mm", "0.02 m".
+    /// The name of the unit, or what it is in meters where it has none: "mm", "0.02 m".
     std::string unit_name() const;
 
   private:

@@ -7,7 +7,7 @@
 
 namespace dem {
 
-/// The triangles of a glTF or GLB file, in metres, each mesh as often and where the nodes of the
+/// The triangles of a glTF or GLB file, in meters, each mesh as often and where the nodes of the
 /// scene place it. Coordinates pass through single precision. Read by assimp, in a process of its
 /// own. Throws Error without the path.
 PolygonSoup read_gltf(const std::filesystem::path& path);

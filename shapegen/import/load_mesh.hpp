@@ -10,8 +10,8 @@
 namespace dem {
 
 struct MeshLoadOptions {
-    /// Of the file's coordinates: m, mm, um, cm, in. "": metres for glTF, which says so, and
-    /// millimetres for the others, which say nothing.
+    /// Of the file's coordinates: m, mm, um, cm, in. "": meters for glTF, which says so, and
+    /// millimeters for the others, which say nothing.
     std::string unit;
     double scale = 1.0;  ///< all lengths are multiplied by it
     double repair_limit = 0.01;

@@ -11,7 +11,7 @@ struct PanelBox {
     Vec2 corner, size;
 };
 
-/// The cross-section: outline, axis, centre of mass, distance-field cells, nodes, scale bar,
+/// The cross-section: outline, axis, center of mass, distance-field cells, nodes, scale bar,
 /// legend.
 void draw_cross_section(SvgPage& page, const PanelBox& box, const ParticleTemplate& shape,
                         const SrShape& sr);

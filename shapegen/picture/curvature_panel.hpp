@@ -6,7 +6,7 @@
 namespace dem {
 
 /// The mean curvature against the arc length, bottom to top. The scale follows the bulk of the
-/// surface; what a sharp edge sticks out is cut and labelled.
+/// surface; what a sharp edge sticks out is cut and labeled.
 void draw_curvature(SvgPage& page, const PanelBox& box, const SrShape& sr);
 
 }  // namespace dem

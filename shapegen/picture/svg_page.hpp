@@ -32,7 +32,7 @@ class SvgPage {
     void strokes(std::span<const Vec2> ends, const Style& style);
     void text(const Vec2& at, const std::string& words, double size, Anchor anchor = Anchor::start,
               bool is_bold = false);
-    /// Reads from below, centred at the point.
+    /// Reads from below, centered at the point.
     void text_upwards(const Vec2& at, const std::string& words, double size);
 
     std::string finish() const { return content_ + "</svg>\n"; }

@@ -70,7 +70,7 @@ ParticleTemplate cook_sr(const Profile& profile, ParticleTemplate shape,
     sr.major_axis_length = profile.major_axis_length();
     if (sr.is_convex) sr.support = support_map(profile);
 
-    // A sphere touches a shape that is not convex where the field says that its centre is near
+    // A sphere touches a shape that is not convex where the field says that its center is near
     // enough (runtime/contact/pairs/sphere_sr_nodes.hpp): spheres of up to this radius.
     const double reach = sr.is_convex ? 0.0 : 0.2 * sr.major_axis_length;
     sr.sdf = signed_distance_field(profile, options.resolution, reach);

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-/// Arcs and curves by what a drawing says about them. Lengths in metres.
+/// Arcs and curves by what a drawing says about them. Lengths in meters.
 namespace dem {
 
 /// How an arc gets from its start to its end.
@@ -35,7 +35,7 @@ struct Fillet {
 std::optional<Fillet> fillet(const ProfileSegment& before, const ProfileSegment& after,
                              double radius);
 
-/// Twice continuously differentiable cubic spline through the points, parametrised by chord length,
+/// Twice continuously differentiable cubic spline through the points, parametrized by chord length,
 /// one Bezier segment between each two. `first_tangent` and `last_tangent` fix its directions at
 /// the ends (unit vectors); an end without one has no curvature.
 std::vector<ProfileSegment> cubic_spline(std::span<const Vec2> points,

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// The generating curve of a surface of revolution: an ordered path in the half plane (r, z), r >=
-/// 0, from the lower end of the axis to the upper one. Lengths in metres.
+/// 0, from the lower end of the axis to the upper one. Lengths in meters.
 namespace dem {
 
 /// A closed generating curve: first and last points lie on the axis (r == 0), consecutive segments

@@ -5,7 +5,7 @@
 
 #include <array>
 
-/// The free curves of named shapes and of the profile file. Lengths in metres.
+/// The free curves of named shapes and of the profile file. Lengths in meters.
 namespace dem {
 
 /// Half profile of (r/a)^m + (|z|/c)^m = 1, m > 1, bottom to top, as a lower and an upper quarter

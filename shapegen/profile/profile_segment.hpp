@@ -7,7 +7,7 @@
 #include <variant>
 
 /// What a profile is made of: lines, ellipse arcs and smooth parametric curves in the half plane
-/// (r, z). Lengths in metres.
+/// (r, z). Lengths in meters.
 namespace dem {
 
 /// Point and derivatives of a segment with respect to its parameter t in [0, 1].
@@ -27,7 +27,7 @@ struct EllipseArc {
     double start, end;
 };
 
-/// A smooth curve given by a parametrisation, t in [0, 1], with a first derivative that vanishes
+/// A smooth curve given by a parametrization, t in [0, 1], with a first derivative that vanishes
 /// nowhere (superquadric, Cassini oval, spline, ...).
 class ParametricCurve {
   public:

@@ -15,7 +15,7 @@ struct RepairOptions {
     double limit = 0.01;        ///< largest fraction of the volume that repairs may put at stake
     bool keep_largest = false;  ///< of several bodies
     bool unite = false;         ///< parts that cross, touch or hold each other
-    double file_unit = 1.0;     ///< metres per coordinate of the file, for places in messages
+    double file_unit = 1.0;     ///< meters per coordinate of the file, for places in messages
     StageProgress progress = nullptr;  ///< may be empty
 };
 

@@ -29,7 +29,7 @@ struct RepairReport {
 };
 
 /// "holes: 5, one at (-43.7, 33.9, 9.3), 0.21 % of the volume, closed". Places in the coordinates
-/// of the file, `file_unit` metres each; `volume` [m^3] is what the percentage refers to, 0 leaves
+/// of the file, `file_unit` meters each; `volume` [m^3] is what the percentage refers to, 0 leaves
 /// it out.
 std::string describe(const Finding& finding, double file_unit, double volume);
 

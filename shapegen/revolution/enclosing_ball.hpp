@@ -8,7 +8,7 @@
 namespace dem {
 
 /// The smallest ball that holds the points (at least one) [m]. Its radius is taken from the rounded
-/// centre, so every point is inside to the last bit.
+/// center, so every point is inside to the last bit.
 SurfaceNodes::Ball enclosing_ball(std::span<const Vec3> points);
 
 }  // namespace dem

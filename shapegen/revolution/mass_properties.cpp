@@ -40,7 +40,7 @@ Moments profile_moments(const Profile& profile, double center_z) {
 }  // namespace
 
 RevolutionMass revolution_mass(const Profile& profile) {
-    // About the middle first, then about the centre of mass: no difference of large moments.
+    // About the middle first, then about the center of mass: no difference of large moments.
     const double middle = 0.5 * (profile.min_z() + profile.max_z());
     const Moments first = profile_moments(profile, middle);
     const double center_z = middle + first[1] / first[0];

@@ -145,7 +145,7 @@ const Case wrong[] = {
     {"do not match", [](auto&, auto& s) { drop_last(s.nodes.blocks); }},
     {"do not match", [](auto&, auto& s) { drop_last(s.nodes.super_blocks); }},
     {"do not match", [](auto&, auto& s) { drop_last(s.nodes.stencil); }},
-    {"neighbour", [](auto&, auto& s) { set(s.nodes.stencil, 5, 20U); }},
+    {"neighbor", [](auto&, auto& s) { set(s.nodes.stencil, 5, 20U); }},
     {"outside the bounding radius",
      [](auto&, auto& s) { set(s.nodes.nodes, 5, SurfaceNodes::Node{nan, 0, 0, 0}); }},
     {"outside the bounding radius",

@@ -142,7 +142,7 @@ TEST(SurfaceNodes, RefuseFewerNodesThanTheEdgesNeed) {
         comb.emplace_back(LineSegment{Vec2(r, 0.1 * i), Vec2(3.0 - r, 0.1 * (i + 1))});
     }
     comb.emplace_back(LineSegment{Vec2(2, 10), Vec2(0, 10)});
-    const Profile profile = test::labelled(comb);
+    const Profile profile = test::labeled(comb);
     EXPECT_THROW(node_rings(profile, 120), Error);
     EXPECT_NO_THROW(node_rings(profile, 5000));
 }

@@ -101,7 +101,7 @@ TEST(TriangleMesh, MeanSquaredSurfaceDistanceOfACube) {
     // A face of the cube of half side h at distance h: h^2 + 2 h^2 / 3.
     const TriangleMesh cube = sample::box({-3, -3, -3}, {3, 3, 3});
     EXPECT_NEAR(mean_squared_surface_distance(cube, Vec3::Zero()), 9.0 * 5.0 / 3.0, 1e-13);
-    // Steiner: moving the centre by d adds d^2.
+    // Steiner: moving the center by d adds d^2.
     EXPECT_NEAR(mean_squared_surface_distance(cube, Vec3(1, 2, -2)), 15.0 + 9.0, 1e-13);
 }
 

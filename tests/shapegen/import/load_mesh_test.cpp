@@ -146,9 +146,9 @@ TEST_F(LoadMesh, UnitsAreSaidAndScaled) {
     const LoadedMesh assumed = load_mesh(stl);
     EXPECT_NEAR(enclosed_volume(assumed.mesh), 6e-9, 1e-17);
     EXPECT_EQ(assumed.lines.front(), "12 triangles, 1 x 2 x 3 mm (assumed; --unit says otherwise)");
-    const LoadedMesh metres = load_mesh(written("box.gltf", gltf(box)));
-    EXPECT_NEAR(enclosed_volume(metres.mesh), 6.0, 1e-5);
-    EXPECT_EQ(metres.lines.front(), "12 triangles, 1 x 2 x 3 m (the format's unit)");
+    const LoadedMesh meters = load_mesh(written("box.gltf", gltf(box)));
+    EXPECT_NEAR(enclosed_volume(meters.mesh), 6.0, 1e-5);
+    EXPECT_EQ(meters.lines.front(), "12 triangles, 1 x 2 x 3 m (the format's unit)");
     EXPECT_NE(refusal(stl, {.unit = "inch"}), "");
     EXPECT_NE(refusal(stl, {.unit = "mm", .scale = 0.0}).find("--scale"), std::string::npos);
 }

@@ -106,7 +106,7 @@ TEST(ProfileFile, ArcsFollowTheirSense) {
     expect_same(parse("start 0 -2\narc 0 2 through 2 0"), sample::sphere(2.0), 3e-15);
     expect_same(parse("start 0 -2\nellipse_arc 5 0 semi_axes 5 2\nellipse_arc 0 2 semi_axes 5 2"),
                 sample::spheroid(5.0, 2.0), 3e-15);
-    // A bulge of more than half a circle, centred at r = 1 + sqrt(3)/2.
+    // A bulge of more than half a circle, centered at r = 1 + sqrt(3)/2.
     const Profile bulge = parse("start 1 -0.5\narc 1 0.5 radius 1 large");
     EXPECT_NEAR(bulge.max_radius(), 2.0 + std::sqrt(0.75), 1e-15);
     EXPECT_NEAR(bulge.max_z(), 1.0, 1e-15);

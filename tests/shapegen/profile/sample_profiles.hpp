@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-/// Profiles built in code, in metres but of the size of one, for tests that need a shape of each
+/// Profiles built in code, in meters but of the size of one, for tests that need a shape of each
 /// kind.
 namespace dem::sample {
 

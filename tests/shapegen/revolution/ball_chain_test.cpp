@@ -10,7 +10,7 @@
 namespace dem {
 namespace {
 
-using test::labelled;
+using test::labeled;
 
 /// Arc of a circle about a point of the axis, between two angles from the equator.
 EllipseArc arc(double z, double radius, double start, double end) {
@@ -23,7 +23,7 @@ TEST(BallChain, ASphereIsOneBallHoweverManyArcsItHas) {
     EXPECT_EQ(one.balls[0].z, 0.0);
     EXPECT_EQ(one.balls[0].radius, 2e-3);
     EXPECT_LT(one.max_deviation, 1e-17);
-    const Profile halves = labelled({arc(1.0, 3.0, -0.5 * pi, 0.2), arc(1.0, 3.0, 0.2, 0.5 * pi)});
+    const Profile halves = labeled({arc(1.0, 3.0, -0.5 * pi, 0.2), arc(1.0, 3.0, 0.2, 0.5 * pi)});
     ASSERT_EQ(ball_chain(halves).balls.size(), 1U);
     EXPECT_EQ(ball_chain(halves).balls[0].z, 1.0);
 }
@@ -31,7 +31,7 @@ TEST(BallChain, ASphereIsOneBallHoweverManyArcsItHas) {
 TEST(BallChain, ADumbbellIsTwoBalls) {
     const double waist = std::asin(0.6);
     const BallChain chain =
-        ball_chain(labelled({arc(-0.6, 1.0, -0.5 * pi, waist), arc(0.6, 1.0, -waist, 0.5 * pi)}));
+        ball_chain(labeled({arc(-0.6, 1.0, -0.5 * pi, waist), arc(0.6, 1.0, -waist, 0.5 * pi)}));
     ASSERT_EQ(chain.balls.size(), 2U);
     EXPECT_EQ(chain.balls[0].z, -0.6);
     EXPECT_EQ(chain.balls[1].z, 0.6);
@@ -48,7 +48,7 @@ TEST(BallChain, SixDigitsAreEnough) {
 TEST(BallChain, OtherBodiesHaveNone) {
     // A lens is where two balls overlap, not both of them.
     const double rim = std::acos(0.6);
-    const Profile lens = labelled(
+    const Profile lens = labeled(
         {arc(0.6, 1.0, -0.5 * pi, -0.5 * pi + rim), arc(-0.6, 1.0, 0.5 * pi - rim, 0.5 * pi)});
     EXPECT_TRUE(ball_chain(lens).balls.empty());
     EXPECT_TRUE(ball_chain(test::spheroid(1.0, 1.0 + 3e-6)).balls.empty());
@@ -56,8 +56,8 @@ TEST(BallChain, OtherBodiesHaveNone) {
         EXPECT_EQ(ball_chain(profile).balls.empty(), name != "sphere") << name;
     // A capsule takes infinitely many.
     const Profile capsule =
-        labelled({arc(-1.0, 1.0, -0.5 * pi, 0.0), LineSegment{Vec2(1.0, -1.0), Vec2(1.0, 1.0)},
-                  arc(1.0, 1.0, 0.0, 0.5 * pi)});
+        labeled({arc(-1.0, 1.0, -0.5 * pi, 0.0), LineSegment{Vec2(1.0, -1.0), Vec2(1.0, 1.0)},
+                 arc(1.0, 1.0, 0.0, 0.5 * pi)});
     EXPECT_TRUE(ball_chain(capsule).balls.empty());
 }
 

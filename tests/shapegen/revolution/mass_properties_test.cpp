@@ -30,7 +30,7 @@ TEST(RevolutionMass, TabletAgreesWithBandAndTwoSphericalCaps) {
     const double S = (R * R + h * h) / (2.0 * h);  // cap sphere
     const double cap = pi * h * h * (S - h / 3.0);
     const double volume = pi * R * R * H + 2.0 * cap;
-    // Moments of a cap about its own sphere's centre, z from S - h to S.
+    // Moments of a cap about its own sphere's center, z from S - h to S.
     const auto power = [](double x, int n) { return std::pow(x, n); };
     const auto z2r2 = [&](double z) { return S * S * power(z, 3) / 3.0 - power(z, 5) / 5.0; };
     const auto zr2 = [&](double z) { return S * S * z * z / 2.0 - power(z, 4) / 4.0; };

@@ -30,7 +30,7 @@ Integers minus(const Integers& a, const Integers& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// In units far from 1, as meshes in metres are.
+/// In units far from 1, as meshes in meters are.
 Vec3 scaled(const Integers& p) {
     return 0x1p-40 *
            Vec3(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]));
