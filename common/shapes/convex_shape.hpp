@@ -2,7 +2,6 @@
 #pragma once
 
 #include "common/math/types.hpp"
-#include "common/shapes/convex_hull.hpp"
 #include "common/shared_array.hpp"
 
 #include <array>
@@ -12,8 +11,7 @@
 #include <span>
 
 /// Convex bodies as support mappings [GC 4.2]: a core and a sphere that rolls around it. Body
-/// frame: origin at the center of mass of the rounded body, axes principal. make_convex.hpp makes
-/// them with their mass properties.
+/// frame: origin at the center of mass of the rounded body, axes principal.
 namespace dem {
 
 /// A convex body: all points no farther than `rounding` from the core.
@@ -137,17 +135,17 @@ struct SurfaceDistance {
     Vec3 normal;
 };
 
-/// Of a point in the body frame from the surface of the rounded body. Exact to rounding.
+/// Distance of a point in the body frame from the surface of the rounded body, exact to rounding.
 SurfaceDistance surface_distance(const ConvexShape& shape, const Vec3& x);
 
-/// The same from the core itself, without the rounding. Of a point farther than `beyond` [m] a
-/// lower bound that is no less than `beyond` will do.
+/// Distance of a point in the body frame from the surface of the core, without the rounding. For a
+/// point farther than `beyond` [m] a lower bound that is no less than `beyond` will do.
 SurfaceDistance core_distance(const ConvexShape& shape, const Vec3& x,
                               double beyond = std::numeric_limits<double>::infinity());
 
-/// The same from a polyhedron with at least two vertices of which it is known that the nearest
-/// point lies in one of these faces. Of a point farther than `beyond` [m] a lower bound, which is
-/// no less than `beyond`.
+/// Distance of a point in the body frame from the surface of the core, a polyhedron with at least
+/// two vertices of which it is known that the nearest point lies in one of these faces. For a point
+/// farther than `beyond` [m] a lower bound that is no less than `beyond` will do.
 SurfaceDistance distance_from_faces(const ConvexShape& shape, std::span<const std::uint32_t> faces,
                                     const Vec3& x, double beyond);
 

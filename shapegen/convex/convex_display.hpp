@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "common/shapes/convex_hull.hpp"
 #include "common/shapes/particle_template.hpp"
+#include "shapegen/solids/convex_polyhedron.hpp"
 
 namespace dem {
 

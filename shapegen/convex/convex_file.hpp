@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/shapes/make_convex.hpp"
 #include "shapegen/convex/rounding.hpp"
+#include "shapegen/solids/make_convex.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -4,7 +4,7 @@
 #include "common/error.hpp"
 #include "common/format.hpp"
 #include "common/shapes/convex_moments.hpp"
-#include "common/shapes/make_convex.hpp"
+#include "shapegen/solids/make_convex.hpp"
 
 namespace dem {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "common/shapes/convex_hull.hpp"
+#include "shapegen/solids/convex_polyhedron.hpp"
 
 namespace dem {
 

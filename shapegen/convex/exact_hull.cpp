@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/convex/exact_hull.hpp"
 
-#include "common/shapes/hull_faces.hpp"
+#include "shapegen/solids/hull_faces.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/convex/fewer_vertices.hpp"
 
-#include "common/shapes/make_convex.hpp"
 #include "shapegen/convex/exact_hull.hpp"
+#include "shapegen/solids/make_convex.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "common/shapes/make_convex.hpp"
 #include "common/shapes/particle_template.hpp"
 #include "shapegen/convex/rounding.hpp"
+#include "shapegen/solids/make_convex.hpp"
 
 #include <cstdint>
 #include <optional>

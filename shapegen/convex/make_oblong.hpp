@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "common/shapes/make_convex.hpp"
+#include "shapegen/solids/make_convex.hpp"
 
 namespace dem {
 

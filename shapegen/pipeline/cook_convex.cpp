@@ -4,7 +4,6 @@
 #include "common/error.hpp"
 #include "common/format.hpp"
 #include "common/shapes/convex_moments.hpp"
-#include "common/shapes/hull_faces.hpp"
 #include "common/state_hash.hpp"
 #include "common/units.hpp"
 #include "formats/memory_map.hpp"
@@ -13,6 +12,7 @@
 #include "shapegen/convex/exact_hull.hpp"
 #include "shapegen/convex/fewer_vertices.hpp"
 #include "shapegen/import/mesh_file.hpp"
+#include "shapegen/solids/hull_faces.hpp"
 
 #include <algorithm>
 #include <cctype>

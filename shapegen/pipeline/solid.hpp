@@ -2,9 +2,9 @@
 #pragma once
 
 #include "common/shapes/particle_template.hpp"
-#include "common/shapes/triangle_mesh.hpp"
 #include "shapegen/clump/ball.hpp"
 #include "shapegen/import/load_mesh.hpp"
+#include "shapegen/mesh/triangle_mesh.hpp"
 
 #include <cstdint>
 #include <filesystem>

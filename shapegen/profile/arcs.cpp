@@ -2,7 +2,7 @@
 #include "shapegen/profile/arcs.hpp"
 
 #include "common/math/elementary.hpp"
-#include "common/math/plane.hpp"
+#include "shapegen/profile/plane.hpp"
 #include "shapegen/profile/profile_curves.hpp"
 
 #include <cmath>

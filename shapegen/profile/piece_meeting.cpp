@@ -2,7 +2,7 @@
 #include "shapegen/profile/piece_meeting.hpp"
 
 #include "common/math/elementary.hpp"
-#include "common/math/plane.hpp"
+#include "shapegen/profile/plane.hpp"
 
 #include <algorithm>
 #include <cmath>

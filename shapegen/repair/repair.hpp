@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/progress.hpp"
-#include "common/shapes/triangle_mesh.hpp"
+#include "shapegen/mesh/triangle_mesh.hpp"
 #include "shapegen/repair/repair_report.hpp"
 #include "shapegen/repair/triangle_soup.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/shapes/particle_template.hpp"
-#include "common/shapes/triangle_mesh.hpp"
+#include "shapegen/mesh/triangle_mesh.hpp"
 #include "shapegen/surface/surface_query.hpp"
 
 #include <cstddef>

@@ -8,7 +8,7 @@
 #include "common/threads/thread_team.hpp"
 #include "shapegen/thinning/thin.hpp"
 #include "shapegen/voxel/voxelize.hpp"
-#include "tests/common/shapes/sample_meshes.hpp"
+#include "tests/shapegen/mesh/sample_meshes.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `shapegen SHAPE.convex`, `shapegen MESH --convex` and `shapegen generate` as a user types them.
-#include "common/shapes/triangle_mesh.hpp"
+#include "shapegen/mesh/triangle_mesh.hpp"
 #include "tests/cli/shapegen_fixture.hpp"
-#include "tests/common/shapes/sample_meshes.hpp"
+#include "tests/shapegen/mesh/sample_meshes.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/shapes/make_convex.hpp"
 #include "common/shapes/particle_template.hpp"
 #include "formats/template_header.hpp"
 #include "formats/template_writer.hpp"
+#include "tests/support/sample_convex.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -151,7 +151,7 @@ inline ParticleTemplate ring() {
 inline ParticleTemplate tetrahedron() {
     const std::vector<Vec3> corners{
         {1e-3, 1e-3, 1e-3}, {1e-3, -1e-3, -1e-3}, {-1e-3, 1e-3, -1e-3}, {-1e-3, -1e-3, 1e-3}};
-    const ConvexSolid solid = make_convex_polyhedron(corners, 5e-5);
+    const ConvexSolid solid = test::rounded_hull(corners, 5e-5);
     ParticleTemplate t = sphere(1.5e-3, "tetrahedron");
     t.mass_properties = solid.mass_properties;
     t.bounding_radius = std::max(t.bounding_radius, solid.shape.bounding_radius);

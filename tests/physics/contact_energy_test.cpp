@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/shapes/make_convex.hpp"
 #include "runtime/contact/law/pair_law.hpp"
-#include "tests/common/shapes/sample_convex.hpp"
+#include "shapegen/solids/make_convex.hpp"
 #include "tests/physics/contact_of.hpp"
 #include "tests/physics/two_bodies.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
 #include "tests/runtime/contact/sample_clumps.hpp"
+#include "tests/support/sample_convex.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,10 +72,9 @@ Solid convex(const char* name, const ConvexSolid& solid) {
 }
 
 std::vector<Solid> solids() {
-    return {
-        ball(), revolved("candy", candy()), clump(),
-        convex("cube", make_cuboid(Vec3::Constant(0.01), 1e-4)),
-        convex("grain", make_convex_polyhedron(random_points(20, {0.005, 0.006, 0.004}, 1), 1e-4))};
+    return {ball(), revolved("candy", candy()), clump(),
+            convex("cube", make_cuboid(Vec3::Constant(0.01), 1e-4)),
+            convex("grain", rounded_hull(random_points(20, {0.005, 0.006, 0.004}, 1), 1e-4))};
 }
 
 /// 1/20 of the critical time of runtime/time_step.cpp for collisions at `speed` [m/s].

@@ -45,7 +45,7 @@ struct Energies {
 std::vector<Combination> all_combinations() {
     const double r = 0.01 * size;
     const auto cone = make_cone(0.5 * size, 0.9 * size, r);
-    const auto grain = make_convex_polyhedron(random_points(20, size * Vec3(0.5, 0.6, 0.4), 1), r);
+    const auto grain = rounded_hull(random_points(20, size * Vec3(0.5, 0.6, 0.4), 1), r);
     std::vector<Combination> all = combinations(size);
     all.push_back({"grain - grain", grain, grain});
     all.push_back({"cone - cone", cone, cone});

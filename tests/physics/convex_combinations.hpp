@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/shapes/make_convex.hpp"
-#include "tests/common/shapes/sample_convex.hpp"
+#include "shapegen/solids/make_convex.hpp"
+#include "tests/support/sample_convex.hpp"
 
 #include <vector>
 
@@ -20,7 +20,7 @@ inline std::vector<Combination> combinations(double size) {
     const auto ball = make_convex_sphere(0.5 * size);
     const auto egg = make_ellipsoid(size * Vec3(0.7, 0.5, 0.35));
     const auto cylinder = make_cylinder(0.45 * size, 0.9 * size, r);
-    const auto tetrahedron = make_convex_polyhedron(tetrahedron_corners(1.3 * size), r);
+    const auto tetrahedron = rounded_hull(tetrahedron_corners(1.3 * size), r);
     const auto cube = make_cuboid(Vec3::Constant(0.8 * size), r);
     return {{"sphere - sphere", ball, ball},
             {"ellipsoid - ellipsoid", egg, egg},

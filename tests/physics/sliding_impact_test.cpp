@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/shapes/make_convex.hpp"
 #include "runtime/contact/law/pair_law.hpp"
+#include "shapegen/solids/make_convex.hpp"
 #include "tests/physics/contact_of.hpp"
 #include "tests/physics/two_bodies.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"

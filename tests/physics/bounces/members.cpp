@@ -2,10 +2,10 @@
 #include "tests/physics/bounces/members.hpp"
 
 #include "common/error.hpp"
-#include "tests/common/shapes/sample_convex.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
 #include "tests/runtime/contact/sr_fixture.hpp"
 #include "tests/runtime/simulation/scenes.hpp"
+#include "tests/support/sample_convex.hpp"
 
 #include <cmath>
 
@@ -97,13 +97,12 @@ ParticleTemplate polyhedron(double size, Random& random) {
         const Vec3 edges(aspect(random), aspect(random), 1.0);
         return scenes::convex(make_cuboid(1.6 * size / std::cbrt(edges.prod()) * edges, rounding));
     }
-    if (which == 1)
-        return scenes::convex(make_convex_polyhedron(tetrahedron_corners(2.4 * size), rounding));
+    if (which == 1) return scenes::convex(rounded_hull(tetrahedron_corners(2.4 * size), rounding));
     for (;;) {
         const Vec3 axes = size * Vec3(1.0, random.uniform(0.5, 1.0), random.uniform(0.5, 1.2));
         const auto points = random_points(6 + choice(random, 20), axes, random.next());
         try {
-            return scenes::convex(make_convex_polyhedron(points, rounding));
+            return scenes::convex(rounded_hull(points, rounding));
         } catch (const Error&) {
             continue;  // too thin for the rounding
         }

@@ -7,6 +7,7 @@
 #include "tests/runtime/contact/convex_shapes.hpp"
 #include "tests/runtime/contact/sample_clumps.hpp"
 #include "tests/runtime/contact/sr_fixture.hpp"
+#include "tests/support/hull_by_force.hpp"
 
 #include <cmath>
 #include <utility>
@@ -137,7 +138,7 @@ ParticleTemplate sand_grain(double size, std::uint32_t corners, std::uint64_t se
     std::vector<Vec3> points;
     for (std::uint32_t k = 0; k < corners; ++k)
         points.emplace_back(0.49 * size * random.direction().cwiseProduct(Vec3(1.0, 1.2, 0.8)));
-    return convex(with_mass_properties(rounded_around(convex_hull(points), 0.01 * size)));
+    return convex(with_mass_properties(rounded_around(test::hull_by_force(points), 0.01 * size)));
 }
 
 InsertionGroup placed(std::vector<BodyPlacement> placements) {

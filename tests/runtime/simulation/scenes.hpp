@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/shapes/make_convex.hpp"
 #include "runtime/scene.hpp"
+#include "shapegen/solids/make_convex.hpp"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/threads/thread_team.hpp"
-#include "tests/common/shapes/sample_meshes.hpp"
+#include "tests/shapegen/mesh/sample_meshes.hpp"
 
 #include <gtest/gtest.h>
 

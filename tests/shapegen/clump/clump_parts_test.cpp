@@ -6,8 +6,8 @@
 #include "shapegen/clump/mass_balance.hpp"
 #include "shapegen/clump/sample_blocks.hpp"
 #include "shapegen/voxel/voxelize.hpp"
-#include "tests/common/shapes/sample_meshes.hpp"
 #include "tests/shapegen/clump/sample_balls.hpp"
+#include "tests/shapegen/mesh/sample_meshes.hpp"
 
 #include <gtest/gtest.h>
 

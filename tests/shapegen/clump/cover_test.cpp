@@ -2,8 +2,8 @@
 #include "shapegen/clump/cover.hpp"
 
 #include "shapegen/voxel/voxelize.hpp"
-#include "tests/common/shapes/sample_meshes.hpp"
 #include "tests/shapegen/clump/sample_balls.hpp"
+#include "tests/shapegen/mesh/sample_meshes.hpp"
 
 #include <gtest/gtest.h>
 

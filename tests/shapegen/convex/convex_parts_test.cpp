@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/error.hpp"
-#include "common/shapes/triangle_mesh.hpp"
 #include "shapegen/convex/convex_display.hpp"
+#include "shapegen/convex/exact_hull.hpp"
 #include "shapegen/convex/fewer_vertices.hpp"
-#include "tests/common/shapes/sample_convex.hpp"
+#include "shapegen/mesh/triangle_mesh.hpp"
+#include "tests/support/sample_convex.hpp"
 
 #include <algorithm>
 
@@ -13,7 +14,7 @@ namespace dem::test {
 namespace {
 
 TEST(FewerVertices, TheErrorIsTheDistanceOfTheFarthestVertexLeftOut) {
-    const ConvexPolyhedron full = convex_hull(random_points(250, {1.0, 0.8, 0.5}, 3));
+    const ConvexPolyhedron full = exact_hull(random_points(250, {1.0, 0.8, 0.5}, 3));
     double last = 1e300;
     for (const std::size_t count : {4U, 8U, 20U, 60U, 150U}) {
         const FewerVertices fewer = with_fewer_vertices(full, count);
@@ -39,14 +40,14 @@ TEST(FewerVertices, TakesTheCornersOfACubeFirst) {
         p[k % 3] = 1.001;
         points.push_back(p);
     }
-    const FewerVertices fewer = with_fewer_vertices(convex_hull(points), 8);
+    const FewerVertices fewer = with_fewer_vertices(exact_hull(points), 8);
     for (const Vec3& v : fewer.solid.vertices)
         EXPECT_LT((v.cwiseAbs() - Vec3::Ones()).norm(), 1e-15);
     EXPECT_NEAR(fewer.error_max, 1e-3, 1e-12);
 }
 
 TEST(FewerVertices, ASolidWithNoMoreStaysAsItIs) {
-    const ConvexPolyhedron cube = convex_hull(tetrahedron_corners(1.0));
+    const ConvexPolyhedron cube = exact_hull(tetrahedron_corners(1.0));
     EXPECT_EQ(with_fewer_vertices(cube, 4).solid.vertices, cube.vertices);
     EXPECT_EQ(with_fewer_vertices(cube, 9).error_max, 0.0);
 }
@@ -77,7 +78,8 @@ TEST(ConvexDisplay, IsAClosedHullOfPointsOnTheSurfaceWithinItsDeviation) {
 }
 
 TEST(ConvexDisplay, OfAPolyhedronWithManyFacesHasNoMorePointsThanItNeeds) {
-    const ConvexSolid solid = random_polyhedron(3000, 1, 0.0);
+    const ConvexSolid solid =
+        make_convex_polyhedron(random_points(3000, {1.0, 1.2, 0.8}, 1), 0.0, exact_hull);
     const DisplayMesh mesh = convex_display_mesh(solid.shape, 2e-3);
     EXPECT_LT(mesh.vertices.size(), 2000U);
     EXPECT_LE(mesh.max_deviation, 2e-3);

@@ -3,9 +3,9 @@
 
 #include "common/error.hpp"
 #include "common/shapes/convex_moments.hpp"
-#include "common/shapes/hull_faces.hpp"
-#include "tests/common/shapes/sample_convex.hpp"
+#include "shapegen/solids/hull_faces.hpp"
 #include "tests/shapegen/convex/gridded_box.hpp"
+#include "tests/support/sample_convex.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -17,6 +17,21 @@ namespace {
 
 double volume(const ConvexPolyhedron& solid) {
     return convex_moments(rounded_around(solid, 0.0)).volume;
+}
+
+TEST(ExactHull, HoldsEveryPointForManyShapesOfCloud) {
+    for (const std::size_t count : {4U, 5U, 12U, 100U, 2000U}) {
+        for (const Vec3& axes : {Vec3(1, 1, 1), Vec3(1000, 1, 1), Vec3(1, 1, 1e-3)}) {
+            const std::vector<Vec3> points = random_points(count, axes, 7);
+            const ConvexPolyhedron hull = exact_hull(points);
+            EXPECT_EQ(hull.vertices.size(), count);  // all lie on an ellipsoid
+            for (std::size_t f = 0; f < hull.faces.size(); ++f) {
+                const Vec3 n = hull.normal(f);
+                const double offset = hull.offset(f, n);
+                for (const Vec3& p : points) ASSERT_LE(n.dot(p), offset + 3e-9 * axes.norm());
+            }
+        }
+    }
 }
 
 /// How far a corner of a face lies inside of the line through its neighbors at most.
@@ -32,6 +47,29 @@ double deepest_notch(const ConvexPolyhedron& solid) {
         }
     }
     return deepest;
+}
+
+TEST(ExactHull, IsTheHullByForceAndErodesAsIt) {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+        for (const std::size_t count : {4U, 6U, 20U, 60U}) {
+            const std::vector<Vec3> points = random_points(count, {1.0, 0.7, 0.5}, seed);
+            const ConvexPolyhedron hull = exact_hull(points);
+            const ConvexPolyhedron expected = hull_by_force(points);
+            EXPECT_EQ(hull.vertices, expected.vertices);
+            EXPECT_EQ(hull.faces, expected.faces);
+            const ConvexPolyhedron core = eroded(hull, 0.01, exact_hull);
+            const ConvexPolyhedron expected_core = eroded(expected, 0.01, hull_by_force);
+            EXPECT_EQ(core.vertices, expected_core.vertices);
+            EXPECT_EQ(core.faces, expected_core.faces);
+        }
+        // Faces of four corners.
+        Random random(seed, 7);
+        const Quat turn = random.orientation();
+        std::vector<Vec3> corners;
+        for (int k = 0; k < 8; ++k)
+            corners.emplace_back(turn * Vec3(k & 1 ? 1 : -1, k & 2 ? 2 : -2, k & 4 ? 3 : -3));
+        EXPECT_EQ(exact_hull(corners).faces, hull_by_force(corners).faces);
+    }
 }
 
 TEST(ExactHull, OfAFineBoxInSinglePrecisionErodesAsTheBox) {
@@ -57,8 +95,7 @@ TEST(ExactHull, KeepsEveryPointOfASphereInSinglePrecisionFarFromTheOrigin) {
     std::vector<Vec3> points = random_points(5000, {1.0, 1.0, 1.0}, 5);
     for (Vec3& p : points) p = single_precision(p + Vec3(10.0, 20.0, 30.0));
     const ConvexPolyhedron hull = exact_hull(points);
-    EXPECT_EQ(hull.vertices.size(), points.size());
-    EXPECT_EQ(hull.vertices, convex_hull(points).vertices);
+    EXPECT_EQ(hull.vertices, points);
 }
 
 TEST(ExactHull, OfACubeWithPointsOnAndInItHasWholeFaces) {

@@ -2,9 +2,9 @@
 #include "shapegen/import/load_mesh.hpp"
 
 #include "common/error.hpp"
-#include "common/shapes/triangle_mesh.hpp"
-#include "tests/common/shapes/sample_meshes.hpp"
+#include "shapegen/mesh/triangle_mesh.hpp"
 #include "tests/formats/temporary_folder.hpp"
+#include "tests/shapegen/mesh/sample_meshes.hpp"
 
 #include <algorithm>
 #include <cstring>

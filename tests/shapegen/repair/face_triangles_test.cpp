@@ -2,7 +2,7 @@
 #include "shapegen/repair/face_triangles.hpp"
 
 #include "common/random.hpp"
-#include "common/shapes/triangle_mesh.hpp"
+#include "shapegen/mesh/triangle_mesh.hpp"
 #include "shapegen/repair/repair.hpp"
 
 #include <algorithm>

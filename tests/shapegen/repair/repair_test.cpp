@@ -3,8 +3,8 @@
 
 #include "common/error.hpp"
 #include "common/random.hpp"
-#include "tests/common/shapes/sample_meshes.hpp"
 #include "tests/formats/temporary_folder.hpp"
+#include "tests/shapegen/mesh/sample_meshes.hpp"
 #include "tests/shapegen/repair/closed_surface.hpp"
 #include "tests/shapegen/repair/soup_of_mesh.hpp"
 

@@ -2,7 +2,7 @@
 #include "shapegen/surface/surface_query.hpp"
 
 #include "common/random.hpp"
-#include "tests/common/shapes/sample_meshes.hpp"
+#include "tests/shapegen/mesh/sample_meshes.hpp"
 
 #include <cmath>
 

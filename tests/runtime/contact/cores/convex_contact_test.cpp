@@ -7,8 +7,8 @@
 #include "runtime/contact/pairs/convex_convex.hpp"
 #include "runtime/contact/pairs/convex_sr.hpp"
 #include "runtime/contact/pairs/convex_wall.hpp"
-#include "tests/common/shapes/sample_convex.hpp"
 #include "tests/runtime/contact/cores/convex_poses.hpp"
+#include "tests/support/sample_convex.hpp"
 
 #include <algorithm>
 #include <array>
@@ -126,7 +126,7 @@ TEST(ConvexContact, AnEndThatRocksOnTheSideOfACylinderHasAPotential) {
 
 std::vector<ConvexSolid> grains() {
     return {make_cuboid({1.0, 1.4, 0.6}, 0.02), make_cuboid({1.2, 1.0, 0.05}, 0.01),
-            make_convex_polyhedron(tetrahedron_corners(1.5), 0.03), random_polyhedron(20, 1, 0.02),
+            rounded_hull(tetrahedron_corners(1.5), 0.03), random_polyhedron(20, 1, 0.02),
             random_polyhedron(6, 2, 0.01)};
 }
 

@@ -2,9 +2,9 @@
 #include "runtime/contact/cores/epa.hpp"
 #include "runtime/contact/cores/gjk.hpp"
 #include "runtime/contact/cores/placed_core.hpp"
-#include "tests/common/shapes/sample_convex.hpp"
 #include "tests/runtime/contact/cores/convex_poses.hpp"
 #include "tests/runtime/contact/cores/polyhedron_gap.hpp"
+#include "tests/support/sample_convex.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 TEST(Gjk, MeetsTheDistanceOfAllFeaturesForAnyTiltAndGap) {
     const std::vector<ConvexSolid> solids{make_cuboid({1.0, 1.0, 1.0}, 0.05),
                                           random_polyhedron(20, 1, 0.02),
-                                          make_convex_polyhedron(tetrahedron_corners(1.5), 0.03)};
+                                          rounded_hull(tetrahedron_corners(1.5), 0.03)};
     Random random(8, 1);
     int compared = 0;
     double worst = 0.0;

@@ -2,10 +2,10 @@
 #include "runtime/contact/fields/crease.hpp"
 
 #include "common/random.hpp"
-#include "common/shapes/make_convex.hpp"
 #include "runtime/contact/fields/core_field.hpp"
 #include "runtime/contact/fields/node_fields.hpp"
 #include "runtime/contact/walls/wall_shapes.hpp"
+#include "tests/support/sample_convex.hpp"
 
 #include <array>
 #include <vector>
@@ -55,7 +55,7 @@ TEST(Crease, TheMeanGradientTimesTheWayIsTheChangeOfTheDistance) {
     }();
     const std::array<ConvexSolid, 3> solids = {make_cylinder(4e-3, 8e-3, 2e-4),
                                                make_cone(4e-3, 8e-3, 2e-4),
-                                               make_convex_polyhedron(points, 2e-4)};
+                                               test::rounded_hull(points, 2e-4)};
     for (const ConvexSolid& solid : solids) {
         const ConvexField field{{0.0}, &solid.shape, Mat3::Identity(), Vec3::Zero()};
         for (int trial = 0; trial < 2000; ++trial) {

@@ -4,8 +4,8 @@
 #include "runtime/contact/fields/node_fields.hpp"
 #include "runtime/contact/law/pair_law.hpp"
 #include "runtime/contact/walls/wall_shapes.hpp"
-#include "tests/common/shapes/sample_convex.hpp"
 #include "tests/runtime/contact/cores/convex_poses.hpp"
+#include "tests/support/sample_convex.hpp"
 
 #include <string>
 

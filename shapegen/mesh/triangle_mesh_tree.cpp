@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/shapes/triangle_mesh_tree.hpp"
+#include "shapegen/mesh/triangle_mesh_tree.hpp"
 
 #include "common/error.hpp"
 

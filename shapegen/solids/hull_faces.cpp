@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/shapes/hull_faces.hpp"
+#include "shapegen/solids/hull_faces.hpp"
 
 #include "common/error.hpp"
 #include "common/math/aabb.hpp"

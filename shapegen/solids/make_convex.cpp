@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/shapes/make_convex.hpp"
+#include "shapegen/solids/make_convex.hpp"
 
 #include "common/error.hpp"
 #include "common/math/elementary.hpp"
 #include "common/shapes/convex_moments.hpp"
+#include "shapegen/solids/principal_axes.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/shapes/triangle_mesh_tree.hpp"
+#include "shapegen/mesh/triangle_mesh_tree.hpp"
 
 #include "common/error.hpp"
 #include "common/random.hpp"
-#include "tests/common/shapes/sample_meshes.hpp"
+#include "tests/shapegen/mesh/sample_meshes.hpp"
 
 #include <set>
 

@@ -4,6 +4,7 @@
 #include "common/math/types.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,14 +22,11 @@ struct ConvexPolyhedron {
     double offset(std::size_t face, const Vec3& n) const;
 };
 
-/// Convex hull (quickhull, Barber et al. 1996). Points nearer to it than 1e-11 of the extent are
-/// taken for points on it, faces whose vertices lie within 1e-9 of the extent of one plane for one
-/// face. Throws Error for fewer than four points, numbers that are not finite and points that lie
-/// in one plane.
-ConvexPolyhedron convex_hull(std::span<const Vec3> points);
+/// What makes the convex hull of points.
+using HullOfPoints = std::function<ConvexPolyhedron(std::span<const Vec3>)>;
 
 /// All points of the solid at least `depth` [m] below its surface: the planes of the faces moved
-/// inwards. Throws Error when nothing is left around its center.
-ConvexPolyhedron eroded(const ConvexPolyhedron& solid, double depth);
+/// inwards, which meet where `hull` finds it. Throws Error when nothing is left around its center.
+ConvexPolyhedron eroded(const ConvexPolyhedron& solid, double depth, const HullOfPoints& hull);
 
 }  // namespace dem

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "common/random.hpp"
-#include "common/shapes/make_convex.hpp"
+#include "shapegen/solids/make_convex.hpp"
+#include "tests/support/hull_by_force.hpp"
 
 #include <string>
 #include <utility>
@@ -20,8 +21,13 @@ inline std::vector<Vec3> random_points(std::size_t count, const Vec3& semi_axes,
     return points;
 }
 
+/// The hull of a few points, rounded.
+inline ConvexSolid rounded_hull(std::span<const Vec3> points, double rounding) {
+    return make_convex_polyhedron(points, rounding, hull_by_force);
+}
+
 inline ConvexSolid random_polyhedron(std::size_t count, std::uint64_t seed, double rounding) {
-    return make_convex_polyhedron(random_points(count, {1.0, 1.2, 0.8}, seed), rounding);
+    return rounded_hull(random_points(count, {1.0, 1.2, 0.8}, seed), rounding);
 }
 
 /// Corners of a regular tetrahedron of this edge length.
@@ -41,7 +47,7 @@ inline std::vector<std::pair<std::string, ConvexSolid>> convex_solids() {
     solids.emplace_back("cylinder", make_cylinder(0.6, 1.4, 0.05));
     solids.emplace_back("cone", make_cone(0.8, 1.5, 0.06));
     solids.emplace_back("cuboid", make_cuboid({1.0, 1.4, 0.6}, 0.04));
-    solids.emplace_back("tetrahedron", make_convex_polyhedron(tetrahedron_corners(1.5), 0.03));
+    solids.emplace_back("tetrahedron", rounded_hull(tetrahedron_corners(1.5), 0.03));
     solids.emplace_back("grain", random_polyhedron(20, 1, 0.02));
     return solids;
 }

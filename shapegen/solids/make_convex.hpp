@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/shapes/convex_shape.hpp"
-#include "common/shapes/hull_faces.hpp"
 #include "common/shapes/mass_properties.hpp"
+#include "shapegen/solids/convex_polyhedron.hpp"
 
 #include <span>
 
@@ -33,7 +33,7 @@ double farthest_outside(const ConvexSolid& solid, std::span<const Vec3> points);
 
 /// The hull of points, its center of mass and principal axes found. Points inside are left out.
 ConvexSolid make_convex_polyhedron(std::span<const Vec3> points, double rounding,
-                                   const HullOfPoints& hull = convex_hull);
+                                   const HullOfPoints& hull);
 
 /// The rest have their center at the origin of the input's frame, a cone that of its base.
 ConvexSolid make_cuboid(const Vec3& edge_lengths, double rounding);

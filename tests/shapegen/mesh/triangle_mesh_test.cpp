@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/shapes/triangle_mesh.hpp"
+#include "shapegen/mesh/triangle_mesh.hpp"
 
 #include "common/random.hpp"
-#include "tests/common/shapes/sample_meshes.hpp"
+#include "tests/shapegen/mesh/sample_meshes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/shapes/triangle_mesh.hpp"
+#include "shapegen/mesh/triangle_mesh.hpp"
+
+#include "shapegen/solids/principal_axes.hpp"
 
 namespace dem {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/shapes/convex_hull.hpp"
+#include "shapegen/solids/convex_polyhedron.hpp"
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <span>
 
 namespace dem {
@@ -23,10 +22,5 @@ void require_points_of_hull(std::span<const Vec3> points);
 /// be told apart.
 ConvexPolyhedron polyhedron_of(std::span<const Vec3> points,
                                std::span<const std::array<std::uint32_t, 3>> triangles);
-
-using HullOfPoints = std::function<ConvexPolyhedron(std::span<const Vec3>)>;
-
-/// As eroded() of convex_hull.hpp, with the moved planes meeting where `hull` finds them.
-ConvexPolyhedron eroded(const ConvexPolyhedron& solid, double depth, const HullOfPoints& hull);
 
 }  // namespace dem

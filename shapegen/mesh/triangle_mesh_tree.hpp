@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/shapes/triangle_mesh.hpp"
+#include "shapegen/mesh/triangle_mesh.hpp"
 
 #include <algorithm>
 #include <array>
