@@ -39,7 +39,7 @@ void check_dimensions(const ConvexShape& shape, const ValueCheck& check) {
     check.require(false, "a convex shape has a core of an unknown kind");
 }
 
-/// Of the surface from the origin [m].
+/// Distance of the farthest surface point from the origin [m].
 double farthest(const ConvexShape& shape) {
     const Vec3 size = shape.size;
     double core = 0.0;

@@ -25,8 +25,8 @@ class TemplateLibrary {
     /// format version, truncated, damaged.
     explicit TemplateLibrary(const std::filesystem::path& path);
 
-    /// The same for bytes in memory, aligned to 8; the arrays share `owner`. `where` names them in
-    /// messages.
+    /// Verifies a file whose bytes are in memory, aligned to 8; the arrays share `owner`. `where`
+    /// names them in messages. Throws as the other.
     TemplateLibrary(std::shared_ptr<const void> owner, std::span<const std::byte> bytes,
                     std::string where);
 

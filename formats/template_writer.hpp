@@ -18,7 +18,7 @@ namespace dem {
 /// FlatBuffers can address, the disk.
 void write_template(const std::filesystem::path& path, const TemplateFile& content);
 
-/// The same shape by shape, for libraries too large to hold in two forms at once.
+/// Writes a `.tpl` file shape by shape, for libraries too large to hold in two forms at once.
 class TemplateBuilder {
   public:
     /// `count`: shapes that will be added, for messages.

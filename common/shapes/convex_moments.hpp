@@ -15,10 +15,10 @@ struct ConvexMoments {
     double surface_second = 0.0;        ///< of |x|^2 over the surface [m^4]
 };
 
-/// Of the rounded body, in closed form (a solid of revolution: Gauss quadrature of polynomials and
-/// arcs, to rounding) but for a rounded ellipsoid (adaptive quadrature, 1e-12). A polyhedron is
-/// taken apart as Steiner's formula does: core, a slab on every face, a wedge of a cylinder along
-/// every edge, a sector of a ball at every vertex.
+/// Moments of the rounded body, in closed form (a solid of revolution: Gauss quadrature of
+/// polynomials and arcs, to rounding) but for a rounded ellipsoid (adaptive quadrature, 1e-12). A
+/// polyhedron is taken apart as Steiner's formula does: core, a slab on every face, a wedge of a
+/// cylinder along every edge, a sector of a ball at every vertex.
 ConvexMoments convex_moments(const ConvexShape& shape);
 
 }  // namespace dem

@@ -25,7 +25,7 @@ struct SupportPiece {
 
 /// Bounds for a whole convex body (support_bounds.hpp). As they are here nothing is known.
 struct SupportBounds {
-    /// Of the radii of curvature of the surface, in any direction [m].
+    /// Bounds of the radii of curvature of the surface, in any direction [m].
     double longest_radius = std::numeric_limits<double>::infinity();
     double shortest_radius = 0.0;  ///< 0: the body has an edge or a tip
     /// A ball of this number times s fits into the body and touches its surface at a place, s the
@@ -68,7 +68,8 @@ struct SdfQuadtree {
     /// Bound of |interpolated - exact| wherever the interpolant is positive (only there a search
     /// discards by it), twice the largest measured error [m].
     double lipschitz_slack = 0.0;
-    /// The same, much smaller, near the surface: where |interpolated| <= surface_band [m].
+    /// Bound of |interpolated - exact| near the surface, much smaller: where |interpolated| <=
+    /// surface_band [m].
     double surface_slack = 0.0;
     double surface_band = 0.0;  ///< one interface cell [m]
 };

@@ -40,15 +40,15 @@ inline double longest_radius(const SupportPiece& p) {
     return shorter > 0.0 ? longer * longer / shorter : std::numeric_limits<double>::infinity();
 }
 
-/// The same where it is most curved; 0: a corner.
+/// Radius of curvature of the meridian where a piece is most curved [m]; 0: a corner.
 inline double shortest_radius(const SupportPiece& p) {
     const double longer = std::max(p.a, p.b);
     const double shorter = std::min(p.a, p.b);
     return longer > 0.0 ? shorter * shorter / longer : 0.0;
 }
 
-/// Of all pieces. No radius of curvature across the meridian is larger: the circumferential one is
-/// a mean of the meridional ones between the pole and the place.
+/// Longest radius of curvature of the whole meridian [m]. None across the meridian is longer: the
+/// circumferential one is a mean of the meridional ones between the pole and the place.
 inline double longest_radius(const SupportMap& map) {
     double longest = 0.0;
     for (const SupportPiece& p : map.pieces) longest = std::max(longest, longest_radius(p));

@@ -16,8 +16,9 @@ SurfaceDistance surface_distance(const ParticleTemplate& shape, const Vec3& x);
 SurfaceDistance surface_distance(const Sphere& sphere, const Vec3& x);
 SurfaceDistance surface_distance(const SrShape& shape, const Vec3& x);
 
-/// Of the union of the spheres; inside it the nearest surface point may be one where two or three
-/// spheres meet. From inside in a time that grows with the spheres that come as near as that.
+/// Distance from the union of the spheres; inside it the nearest surface point may be one where two
+/// or three spheres meet. From inside in a time that grows with the spheres that come as near as
+/// that.
 SurfaceDistance surface_distance(const Clump& clump, const Vec3& x);
 
 /// Surface points count as inside. Sooner answered than surface_distance().

@@ -52,7 +52,7 @@ void TeamSize::step_took(double seconds) {
     }
 }
 
-/// Of the present size, which is what trials are compared with.
+/// Ends a block of steps with the present size, which is what trials are compared with.
 void TeamSize::end_block() {
     mean_ = block_.mean();
     block_ = {};

@@ -66,8 +66,8 @@ class CellCover {
     std::vector<VoxelWord> uncovered_;
     std::array<int, 3> blocks_{};                 ///< of 2 x 2 x 2 bricks, along each axis
     std::vector<std::uint16_t> block_uncovered_;  ///< cells in each
-    /// Of balls, from the first one inserted on: those that hold a whole brick, and, cell by cell,
-    /// the others.
+    /// Numbers of balls, from the first one inserted on: those that hold a whole brick, and, cell
+    /// by cell, the others.
     std::vector<std::uint16_t> brick_counts_, cell_counts_;
     std::size_t cells_ = 0;
     std::size_t uncovered_count_ = 0;

@@ -43,8 +43,8 @@ class Exchange {
     std::optional<BallTree> tree_;  ///< of the candidates
     std::vector<Ball> changes_;
     std::vector<std::size_t> asked_;  ///< 1 + changes before a ball was asked last; 0: never
-    /// Of the candidates when all chosen balls are in place; exact at the beginning of a sweep but
-    /// for changes that only just touch them.
+    /// What each candidate would gain when all chosen balls are in place; exact at the beginning of
+    /// a sweep but for changes that only just touch it.
     std::vector<double> gains_;
     std::size_t gains_at_ = 0;  ///< changes before the gains were computed
     std::vector<Vec3> gap_points_;

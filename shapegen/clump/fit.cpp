@@ -79,7 +79,7 @@ class Patch {
         return normal.ldlt().solve(right);
     }
 
-    /// The same of c alone for a ball as large as its place allows: r grows with the distance from
+    /// The step of c alone for a ball as large as its place allows: r grows with the distance from
     /// the surface, that is by `inward` . dc.
     Vec3 sliding_step(const Ball& ball, const Vec3& inward) const {
         Mat3 normal = Mat3::Zero();

@@ -134,7 +134,7 @@ class Program {
             glp_set_col_bnds(problem_.get(), c, GLP_LO, 0.0, 0.0);
     }
 
-    /// Of an equation's two rows, by the kinds of bounds that GLPK knows.
+    /// Sets the bounds of an equation's two rows, by the kinds of bounds that GLPK knows.
     void set_bounds(std::size_t q, int kind_below, int kind_above) {
         const double most = wanted_[q] + slacks_[q];
         const double least = wanted_[q] - slacks_[q];

@@ -15,7 +15,8 @@ struct MassBalance {
     std::vector<double> shares;  ///< [m^3], one per ball, none negative
     /// The largest relative error of a moment that had to be allowed; 0 when all can be met.
     double tolerance = 0.0;
-    /// The same of a product of inertia, relative to the mean moment.
+    /// The largest error of a product of inertia that had to be allowed, relative to the mean
+    /// moment; 0 when all can be met.
     double product_tolerance = 0.0;
     /// How far off the center had to be, along each body axis [d_eq]; 0 but for a few spheres that
     /// do not surround it.

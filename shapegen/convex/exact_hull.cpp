@@ -22,7 +22,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Index = std::uint32_t;
 
-/// Of every vertex the first of the points that is there.
+/// Number of each vertex: that of the first of the points that is there.
 std::vector<Index> numbers(const Mesh& mesh, std::span<const Vec3> points) {
     std::map<std::array<double, 3>, Index> first;
     for (Index k = 0; k < points.size(); ++k)

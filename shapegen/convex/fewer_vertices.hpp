@@ -10,8 +10,8 @@ namespace dem {
 /// A convex solid inside another one, the hull of some of its vertices.
 struct FewerVertices {
     ConvexPolyhedron solid;
-    /// Hausdorff distance of the two [m]: how far the farthest vertex that was left out lies
-    /// outside. The same for the two with an equal rounding around them.
+    /// Hausdorff distance of the two, also with an equal rounding around both [m]: how far the
+    /// farthest vertex that was left out lies outside.
     double error_max = 0.0;
 };
 

@@ -15,7 +15,7 @@ struct OblongTablet {
     int sides = 16;            ///< facets that stand for a half circle, 4 or more
 };
 
-/// Of the smooth tablet with sharp edges, in closed form [m^3].
+/// Volume of the smooth tablet with sharp edges, in closed form [m^3].
 double volume(const OblongTablet& tablet);
 
 /// The polyhedron that stands for an oblong tablet, rounded. Its facets follow the half circles by

@@ -10,7 +10,7 @@
 namespace dem {
 
 struct MeshLoadOptions {
-    /// Of the file's coordinates: m, mm, um, cm, in. "": meters for glTF, which says so, and
+    /// Unit of the file's coordinates: m, mm, um, cm, in. "": meters for glTF, which says so, and
     /// millimeters for the others, which say nothing.
     std::string unit;
     double scale = 1.0;  ///< all lengths are multiplied by it

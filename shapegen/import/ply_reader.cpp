@@ -177,7 +177,7 @@ class BodyReader {
         for (const Property& property : element.properties) skip(property);
     }
 
-    /// Of a list, whose numbers are in the file.
+    /// Length of a list that is read next; its numbers are in the file.
     std::uint64_t list_size(const Property& list) {
         const std::int64_t size = values_.whole_number(*list.count_type);
         const std::uint64_t room = values_.room(list.type);

@@ -28,9 +28,9 @@ class TriangleMeshTree {
     explicit TriangleMeshTree(const TriangleMesh& mesh);
 
     /// The point of the surface nearest to p; of equally near triangles the one with the lowest
-    /// index. The same bits as a loop over all triangles. Thin triangles are as exact as others.
-    /// Whoever knows that the surface is `within` a distance [m] is answered sooner; where it is
-    /// not, the distance given is infinite or larger than that.
+    /// index: to the bit what a loop over all triangles finds. Thin triangles are as exact as
+    /// others. Whoever knows that the surface is `within` a distance [m] is answered sooner; where
+    /// it is not, the distance given is infinite or larger than that.
     SurfacePoint nearest(const Vec3& p,
                          double within = std::numeric_limits<double>::infinity()) const;
 

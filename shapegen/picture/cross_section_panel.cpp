@@ -15,7 +15,7 @@ namespace {
 
 const std::string outline_color = "#111111";
 const std::string node_color = "#c2410c";
-/// Of the cells, from base to corner.
+/// Colors of the cells, from base to corner.
 const std::array<std::string, 3> cell_colors{"#cbd5e1", "#60a5fa", "#1e3a8a"};
 
 /// Body coordinates (x, z) [m] to page pixels.

@@ -53,7 +53,7 @@ void make_block(const LibraryRequest& request, const std::filesystem::path& path
     for (const int count : redrawn) summary.redrawn += static_cast<std::uint64_t>(count);
 }
 
-/// Of all that a library follows from.
+/// Hash of all that a library follows from.
 std::uint64_t hash_of(const LibraryRequest& request) {
     const GranularOptions& grains = request.grains;
     const Rounding rounding = grains.rounding.value_or(Rounding{});

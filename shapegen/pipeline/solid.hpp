@@ -34,8 +34,8 @@ struct Solid {
 
 /// Reads a mesh or a profile. A mesh is repaired; a profile is revolved to a mesh that leaves its
 /// surface by 2e-5 of the length of its major axis, all properties but the mesh being those of the
-/// profile itself. Throws Error that begins with the path.
-/// Of the options, the scale is for both: a profile says its unit itself, and needs no repair.
+/// profile itself. Of the options, only the scale means something for a profile, which says its
+/// unit itself and needs no repair. Throws Error that begins with the path.
 Solid load_solid(const std::filesystem::path& path, const MeshLoadOptions& options);
 
 }  // namespace dem

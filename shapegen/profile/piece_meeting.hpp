@@ -12,8 +12,8 @@ std::optional<Vec2> meeting_point(const ProfileSegment& segment_a, const Profile
                                   const ProfileSegment& segment_b, const ProfilePiece& b,
                                   double tolerance);
 
-/// The same for a piece and the one that continues it: they meet in their joint, and again only if
-/// one bends back to the other.
+/// A point other than their joint where a piece and the one that continues it come closer than
+/// `tolerance`, if one bends back to the other.
 std::optional<Vec2> second_meeting_point(const ProfileSegment& segment_a, const ProfilePiece& a,
                                          const ProfileSegment& segment_b, const ProfilePiece& b,
                                          double tolerance);

@@ -46,7 +46,7 @@ CurveJet evaluate(const ProfileSegment& segment, double t);
 /// circular arcs, otherwise by quadrature to 1e-14 [m].
 double arc_length(const ProfileSegment& segment, double t0 = 0.0, double t1 = 1.0);
 
-/// The same segment run through from its end to its start.
+/// The segment run through from its end to its start.
 ProfileSegment reversed(const ProfileSegment& segment);
 
 /// The segment moved by `offset` [m].

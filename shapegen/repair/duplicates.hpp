@@ -6,7 +6,7 @@
 
 namespace dem {
 
-/// Of triangles with the same three corners keeps one of those that face the way most do; none when
+/// Keeps of triangles with equal corners one of those that face the way most do; none when
 /// as many face one way as the other, for they enclose nothing: flaps, and faces that two parts
 /// share. Where that would leave nothing at all, the body is drawn on both sides, and the first
 /// triangle of each place is kept.

@@ -67,7 +67,7 @@ class Builder {
     }
     SdfCell& cell(std::uint32_t i, std::uint32_t k) { return cells_[k * sdf_.cells_r + i]; }
 
-    /// Grid point a / n of the way through base column i and b / n through base row k. The same
+    /// Grid point a / n of the way through base column i and b / n through base row k. A
     /// point gets the same bits from every cell that touches it.
     Vec2 point(double i, double k) const {
         return {sdf_.origin_r + sdf_.base_size * i, sdf_.origin_z + sdf_.base_size * k};

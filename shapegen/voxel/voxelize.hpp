@@ -13,7 +13,8 @@ namespace dem {
 /// parts of the solid so thin that no center falls into them.
 VoxelImage voxelize(const TriangleMesh& mesh, const VoxelGrid& grid);
 
-/// The same on the grid that encloses the mesh; throws Error as enclosing_grid does.
+/// The voxels of the solid inside a mesh on the grid that encloses it, cubes of an edge of
+/// `spacing` [m]; throws Error as enclosing_grid does.
 VoxelImage voxelize(const TriangleMesh& mesh, double spacing);
 
 }  // namespace dem
