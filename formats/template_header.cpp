@@ -2,6 +2,7 @@
 #include "formats/template_header.hpp"
 
 #include "common/error.hpp"
+#include "common/file_hash.hpp"
 #include "common/state_hash.hpp"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ T load(std::span<const std::byte> file, std::size_t at) {
     return value;
 }
 
-std::uint64_t checksum(std::span<const std::byte> payload) {
+std::uint64_t checksum(std::span<const std::byte> payload, std::uint32_t version) {
+    if (version > 1) return file_hash(payload);
     StateHash hash;
     hash.add_bytes(payload);
     return hash.value();
@@ -40,7 +42,7 @@ std::array<std::byte, template_header_size> template_header(std::span<const std:
     std::array<std::byte, template_header_size> header;
     const auto header_size = static_cast<std::uint32_t>(template_header_size);
     const std::uint64_t payload_size = payload.size();
-    const std::uint64_t sum = checksum(payload);
+    const std::uint64_t sum = checksum(payload, template_format_version);
     std::memcpy(header.data(), magic, sizeof magic);
     std::memcpy(header.data() + version_at, &template_format_version, 4);
     std::memcpy(header.data() + header_size_at, &header_size, 4);
@@ -61,9 +63,9 @@ std::span<const std::byte> template_payload(std::span<const std::byte> file,
                                " bytes, expected a header of 32 and more");
     }
     const auto version = load<std::uint32_t>(file, version_at);
-    if (version != template_format_version) {
+    if (version < 1 || version > template_format_version) {
         throw Error(where, "is of format version " + std::to_string(version) +
-                               ", this program reads version " +
+                               ", this program reads versions 1 to " +
                                std::to_string(template_format_version) +
                                ": make it again with this shapegen");
     }
@@ -75,7 +77,7 @@ std::span<const std::byte> template_payload(std::span<const std::byte> file,
                                " bytes after its header, expected " + std::to_string(size));
     }
     if (load<std::uint32_t>(file, header_size_at) != template_header_size ||
-        load<std::uint64_t>(file, checksum_at) != checksum(payload)) {
+        load<std::uint64_t>(file, checksum_at) != checksum(payload, version)) {
         throw Error(where, "is damaged: its checksum does not match, copy or make it again");
     }
     return payload;

@@ -44,7 +44,7 @@ struct ParticleTemplate {
 /// The content of a `.tpl` file.
 struct TemplateFile {
     std::string command;           ///< the `shapegen` command line that made it
-    std::uint64_t input_hash = 0;  ///< FNV-1a of the input file's bytes
+    std::uint64_t input_hash = 0;  ///< file_hash() of the input
     std::string shapegen_version;
     std::vector<ParticleTemplate> shapes;
 };

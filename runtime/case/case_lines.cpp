@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/case/case_lines.hpp"
 
-#include "common/state_hash.hpp"
+#include "common/file_hash.hpp"
+#include "common/format.hpp"
 #include "formats/memory_map.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
+#include <map>
 #include <string_view>
 
 namespace dem {
@@ -25,19 +26,28 @@ bool is_one_of(const std::array<std::string_view, count>& keys, std::string_view
     return std::ranges::find(keys, key) != keys.end();
 }
 
-std::string content_hash(const std::filesystem::path& path) {
-    StateHash hash;
-    hash.add_bytes(MemoryMap(path, "file").bytes());
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash.value()));
-    return text;
-}
+/// Hashes of files, each read once however many sections name it.
+class ContentHashes {
+  public:
+    const std::string& of(const std::filesystem::path& path) {
+        const auto [entry, is_new] = texts_.try_emplace(path);
+        if (is_new)
+            entry->second =
+                format("%016llx",
+                       static_cast<unsigned long long>(file_hash(MemoryMap(path, "file").bytes())));
+        return entry->second;
+    }
+
+  private:
+    std::map<std::filesystem::path, std::string> texts_;
+};
 
 }  // namespace
 
 std::vector<std::string> case_lines(const CaseFile& file) {
     const std::filesystem::path folder = std::filesystem::path(file.path).parent_path();
     std::vector<std::string> lines;
+    ContentHashes hashes;
     for (const CaseSection& section : file.sections) {
         if (section.name == "output" || section.name.starts_with("measure.")) continue;
         const std::string name = "[" + section.name + "] ";
@@ -45,7 +55,7 @@ std::vector<std::string> case_lines(const CaseFile& file) {
             if (section.name == "run" && is_one_of(free_keys, entry.key)) continue;
             if (is_one_of(file_keys, entry.key)) {
                 lines.push_back(name + entry.key + " of content " +
-                                content_hash(folder / entry.value));
+                                hashes.of(folder / entry.value));
             } else {
                 lines.push_back(name + entry.key + " = " + entry.value);
             }

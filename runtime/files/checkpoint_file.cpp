@@ -5,7 +5,7 @@
 
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
-#include "common/state_hash.hpp"
+#include "common/file_hash.hpp"
 #include "formats/memory_map.hpp"
 #include "runtime/files/hdf5_file.hpp"
 #include "runtime/files/hdf5_reader.hpp"
@@ -27,11 +27,9 @@ constexpr std::string_view trailer_mark = "ShapeDEM checkpoint ";
 
 /// The line behind the file: its mark and 16 hexadecimal digits.
 std::string trailer(std::span<const std::byte> content) {
-    StateHash hash;
-    hash.add_bytes(content);
     char digits[18];
     std::snprintf(digits, sizeof digits, "%016llx\n",
-                  static_cast<unsigned long long>(hash.value()));
+                  static_cast<unsigned long long>(file_hash(content)));
     return std::string(trailer_mark) + digits;
 }
 

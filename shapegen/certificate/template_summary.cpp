@@ -3,7 +3,6 @@
 
 #include "common/format.hpp"
 #include "common/units.hpp"
-#include "formats/template_header.hpp"
 #include "shapegen/certificate/certificate_text.hpp"
 
 #include <algorithm>
@@ -18,6 +17,8 @@ namespace dem {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr int json_schema = 1;  // raised when a name in the JSON changes its meaning or goes
 
 struct Counts {
     std::uint64_t nodes = 0, spheres = 0, vertices = 0, triangles = 0, cells = 0;
@@ -196,7 +197,7 @@ std::string template_text(const TemplateFile& file) {
 std::string template_json(const TemplateFile& file) {
     Json shapes = Json::array();
     for (const ParticleTemplate& shape : file.shapes) shapes.push_back(json_of(shape));
-    const Json json = {{"schema", template_format_version},
+    const Json json = {{"schema", json_schema},
                        {"command", file.command},
                        {"shapegen_version", file.shapegen_version},
                        {"input_hash", hash_text(file.input_hash)},

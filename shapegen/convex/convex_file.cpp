@@ -2,7 +2,7 @@
 #include "shapegen/convex/convex_file.hpp"
 
 #include "common/error.hpp"
-#include "common/state_hash.hpp"
+#include "common/file_hash.hpp"
 #include "common/text.hpp"
 #include "formats/text_file.hpp"
 #include "shapegen/convex/exact_hull.hpp"
@@ -234,9 +234,7 @@ ConvexFile convex(std::string_view bytes, const ProfileText& text, const NamedCo
     if (rounding) place = "--rounding";
     file.solid = rounded(text, shape, wanted_rounding(text, shape, rounding), place);
     file.name = std::filesystem::path(text.path).stem().string();
-    StateHash hash;
-    hash.add(std::span<const char>(bytes));
-    file.hash = hash.value();
+    file.hash = file_hash(bytes);
     file.unit = text.unit * text.scale;
     file.lines = notes(text, shape);
     return file;

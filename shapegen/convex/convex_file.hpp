@@ -16,7 +16,7 @@ namespace dem {
 struct ConvexFile {
     ConvexSolid solid;
     std::string name;                ///< of the file, without folder and ending
-    std::uint64_t hash = 0;          ///< FNV-1a of the file's bytes
+    std::uint64_t hash = 0;          ///< file_hash() of the file
     double unit = 1.0;               ///< of the file's plain numbers, times the scale [m]
     std::vector<std::string> lines;  ///< for the user: points that are no corners
 };

@@ -2,9 +2,9 @@
 #include "shapegen/pipeline/cook_convex.hpp"
 
 #include "common/error.hpp"
+#include "common/file_hash.hpp"
 #include "common/format.hpp"
 #include "common/shapes/convex_moments.hpp"
-#include "common/state_hash.hpp"
 #include "common/units.hpp"
 #include "formats/memory_map.hpp"
 #include "shapegen/convex/convex_display.hpp"
@@ -107,9 +107,7 @@ CookedConvex cook_mesh(const std::filesystem::path& path, const ConvexRequest& r
                        const MeshLoadOptions& options) {
     LoadedMesh loaded = load_mesh(path, options);
     CookedConvex cooked;
-    StateHash hash;
-    hash.add_bytes(MemoryMap(path, "mesh").bytes());
-    cooked.hash = hash.value();
+    cooked.hash = file_hash(MemoryMap(path, "mesh").bytes());
     cooked.lines = std::move(loaded.lines);
 
     const double mesh_volume = enclosed_volume(loaded.mesh);

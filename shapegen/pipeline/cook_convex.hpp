@@ -23,7 +23,7 @@ struct ConvexRequest {
 /// A template with what the user should know about its making.
 struct CookedConvex {
     ParticleTemplate shape;
-    std::uint64_t hash = 0;  ///< FNV-1a of the file's bytes
+    std::uint64_t hash = 0;  ///< file_hash() of the file
     std::vector<std::string> lines;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/pipeline/solid.hpp"
 
-#include "common/state_hash.hpp"
+#include "common/file_hash.hpp"
 #include "formats/memory_map.hpp"
 #include "shapegen/import/mesh_file.hpp"
 #include "shapegen/profile/profile_file.hpp"
@@ -53,9 +53,7 @@ Solid from_mesh(const std::filesystem::path& path, const MeshLoadOptions& option
     LoadedMesh loaded = load_mesh(path, options);
     Solid solid;
     solid.name = path.stem().string();
-    StateHash hash;
-    hash.add_bytes(MemoryMap(path, "mesh").bytes());
-    solid.hash = hash.value();
+    solid.hash = file_hash(MemoryMap(path, "mesh").bytes());
     solid.unit = loaded.unit;
     solid.lines = std::move(loaded.lines);
     solid.mass_properties = mass_properties(loaded.mesh);

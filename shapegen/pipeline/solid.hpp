@@ -17,7 +17,7 @@ namespace dem {
 /// A body that another shape is to stand for, from a mesh or a profile.
 struct Solid {
     std::string name;
-    std::uint64_t hash = 0;          ///< FNV-1a of the file's bytes
+    std::uint64_t hash = 0;          ///< file_hash() of the file
     double unit = 1.0;               ///< of the file's numbers, times the scale [m]
     std::vector<std::string> lines;  ///< for the user: size, unit, repairs
 

@@ -2,7 +2,7 @@
 #include "shapegen/profile/profile_file.hpp"
 
 #include "common/error.hpp"
-#include "common/state_hash.hpp"
+#include "common/file_hash.hpp"
 #include "common/text.hpp"
 #include "formats/text_file.hpp"
 #include "shapegen/profile/named_shapes.hpp"
@@ -114,10 +114,8 @@ ProfileFile parse_profile(std::string_view text, const std::string& path, double
         parts.settings.contains("shape") ? named_shape(parts) : parse_statements(parts);
     run_upwards(draft);
     close_by_discs(draft);
-    StateHash hash;
-    hash.add(std::span<const char>(text));
     return {Profile(std::move(draft.segments), std::move(draft.labels)),
-            std::filesystem::path(path).stem().string(), hash.value(), parts.unit * scale};
+            std::filesystem::path(path).stem().string(), file_hash(text), parts.unit * scale};
 }
 
 ProfileFile read_profile(const std::string& path, double scale) {

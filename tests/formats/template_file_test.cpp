@@ -191,7 +191,7 @@ TEST_F(TemplateOnDisk, WhatIsNoTemplateIsNamedForWhatItIs) {
     other[8] = 7;
     write("other.tpl", other);
     EXPECT_EQ(reading("other.tpl"),
-              "is of format version 7, this program reads version 1: make it again with this "
+              "is of format version 7, this program reads versions 1 to 2: make it again with this "
               "shapegen");
     other = good;
     other[2000] = static_cast<char>(other[2000] ^ 1);

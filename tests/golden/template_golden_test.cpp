@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "common/error.hpp"
 #include "formats/template_reader.hpp"
 #include "shapegen/certificate/template_summary.hpp"
 #include "tests/cli/program.hpp"
+
+#include <memory>
+#include <span>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -31,6 +35,17 @@ TEST_P(Golden, IsReadToTheValuesItHad) {
     for (const auto& [path, value] : golden.items()) {
         ASSERT_TRUE(found.contains(path)) << path;
         EXPECT_EQ(found[path], value) << path;
+    }
+}
+
+/// Their checksum is another than that of the files of today.
+TEST_P(Golden, IsFoundToBeDamagedByAnyChangedByte) {
+    const std::string good = content(folder / (std::string(GetParam()) + ".tpl"));
+    ASSERT_EQ(good[8], 1) << "the format version";
+    for (std::size_t at = 0; at < good.size(); at += 1 + good.size() / 1000) {
+        const auto bytes = std::make_shared<std::string>(good);
+        (*bytes)[at] = static_cast<char>((*bytes)[at] ^ 4);
+        EXPECT_THROW(read_template(bytes, std::as_bytes(std::span(*bytes)), "x"), Error) << at;
     }
 }
 
