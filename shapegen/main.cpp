@@ -3,7 +3,7 @@
 #include "common/error.hpp"
 #include "common/signals.hpp"
 #include "common/text.hpp"
-#include "shapegen/command_line.hpp"
+#include "shapegen/command_line/command_line.hpp"
 #include "shapegen/run_command.hpp"
 
 #include <csignal>

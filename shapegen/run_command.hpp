@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "shapegen/command_line.hpp"
+#include "shapegen/command_line/command_line.hpp"
 
 #include <iosfwd>
 

@@ -336,6 +336,9 @@ TEST_F(ShapegenCli, ExplainsItself) {
     for (const char* word : {"--nodes", "inspect", "export", "Exit codes", "Example"}) {
         EXPECT_NE(help.out.find(word), std::string::npos) << word;
     }
+    const Result manual = run("--man");
+    EXPECT_EQ(manual.code, 0);
+    EXPECT_EQ(manual.out.rfind(".TH SHAPEGEN 1", 0), 0U);
     const Result version = run("--version");
     EXPECT_EQ(version.code, 0);
     EXPECT_EQ(version.out, "shapegen " DEM_VERSION "\n");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shapegen/command_line.hpp"
+#include "shapegen/command_line/command_line.hpp"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "shapegen/clump_options.hpp"
-#include "shapegen/convex_options.hpp"
+#include "shapegen/command_line/clump_options.hpp"
+#include "shapegen/command_line/convex_options.hpp"
 #include "shapegen/pipeline/cook.hpp"
 
 #include <filesystem>
@@ -38,7 +38,7 @@ struct ExportCommand {
     std::optional<double> unit;  ///< of lengths [m]; none: the input's
 };
 
-/// `--help` or `--version`: words for stdout.
+/// `--help`, `--man` or `--version`: words for stdout.
 struct PrintCommand {
     std::string text;
 };
