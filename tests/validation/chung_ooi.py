@@ -51,7 +51,7 @@ material = rigid
 
 
 def sphere(radius, kind):
-    """A template of a sphere in metres: as `sphere`, as `sr` (continuous, all nodes or the deepest), or as a clump of one sphere."""
+    """A template of a sphere in meters: as `sphere`, as `sr` (continuous, all nodes or the deepest), or as a clump of one sphere."""
     options = {"sphere": ("--sphere",), "sr": (), "clump": ("--clump-spheres", "1"), "sr nodes": ("--nodes", "20000"),
                "sr nodes deepest": ("--nodes", "20000")}[kind]
     return cook(f"units = m\nshape = sphere\nradius = {radius!r}\n", *options)

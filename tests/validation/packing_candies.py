@@ -31,7 +31,7 @@ and 121.7 mm (mean surface). A different seed or time step is a different packin
     page.shortfall(f"the same with the automatic time step, mean over {options.seeds} seeds ({automatic:.2f} mm)", abs(automatic - 130.0) <= 1.0)
     page.text(f"""
 The highest point is one candy: the last ones come to lie on the others, and a single one in the middle (seed 2, automatic) reaches 3 mm above
-the next. Over all runs it is {highest:.1f} mm on average; more runs, not smaller time steps, would tell its mean to a millimetre. The
+the next. Over all runs it is {highest:.1f} mm on average; more runs, not smaller time steps, would tell its mean to a millimeter. The
 mean surface, {surface:.1f} mm, is less a matter of luck.""")
     return page.finish()
 

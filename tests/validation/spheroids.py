@@ -49,8 +49,8 @@ def tilted(angle):
 
 
 def first_contact(angle):
-    """Centre distance along z at first contact, with the lever arm of the normal about the upper
-    body's centre, by brute force: support functions of both ellipses over all directions in the
+    """Center distance along z at first contact, with the lever arm of the normal about the upper
+    body's center, by brute force: support functions of both ellipses over all directions in the
     plane of the axes."""
     phi = np.linspace(0, np.pi, 2_000_001)
     n = np.array([np.cos(phi), np.sin(phi)])  # from lower to upper, (x, z)
@@ -66,7 +66,7 @@ def first_contact(angle):
     h_upper, x_upper = support(angle)
     distance = (h_lower + h_upper) / np.maximum(n[1], 1e-9)
     k = distance[n[1] > 0.1].argmin() + np.flatnonzero(n[1] > 0.1)[0]
-    r = -x_upper[:, k]  # contact point from the upper body's centre
+    r = -x_upper[:, k]  # contact point from the upper body's center
     lever = r[1] * n[0, k] - r[0] * n[1, k]  # (r x n) about y
     return distance[k], n[:, k], lever
 

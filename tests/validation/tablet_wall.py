@@ -53,20 +53,20 @@ class Tablet:
         self.moment = DENSITY * shape["principal_moments_per_density"][0]
         self.cap_radius = 0.5 * (BAND_RADIUS**2 + CAP_HEIGHT**2) / CAP_HEIGHT
         self.cap_offset = self.cap_radius - (CAP_HEIGHT + 0.5 * BAND_HEIGHT)
-        # Centre of the edge's arc: `edge` inside the band and inside the cap's sphere.
+        # Center of the edge's arc: `edge` inside the band and inside the cap's sphere.
         self.edge_r = BAND_RADIUS - edge
         self.edge_z = -self.cap_offset + np.sqrt((self.cap_radius - edge)**2 - self.edge_r**2)
         self.on_cap = np.arcsin(self.edge_r / (self.cap_radius - edge))
 
     def height(self, theta):
-        """Of the centre above the lowest point of the tablet tilted by theta."""
+        """Of the center above the lowest point of the tablet tilted by theta."""
         cap = self.cap_radius - self.cap_offset * np.cos(theta)
         edge = self.edge + self.edge_r * np.sin(theta) + self.edge_z * np.cos(theta)
         return np.where(theta < self.on_cap, cap, edge)
 
     def closed_form(self, theta):
         """Velocity (down positive) and spin after the impact, [SR] Eqs. 24-26 corrected: the lever
-        arm is where the surface that touches has its centre of curvature."""
+        arm is where the surface that touches has its center of curvature."""
         lever = np.where(theta < self.on_cap, self.cap_offset * np.sin(theta),
                          self.edge_r * np.cos(theta) - self.edge_z * np.sin(theta))
         lever[theta > np.radians(89.9)] = 0.0  # the band meets the wall along a line
