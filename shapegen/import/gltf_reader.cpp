@@ -142,6 +142,7 @@ class Unpacker {
         static_assert(std::is_trivially_copyable_v<Number>);
         if (count > bytes_.size() / sizeof(Number))
             throw Error("the program that reads it gives half an answer");
+        if (count == 0) return;  // of nothing there may be no address
         std::memcpy(numbers, bytes_.data(), count * sizeof(Number));
         bytes_.remove_prefix(count * sizeof(Number));
     }

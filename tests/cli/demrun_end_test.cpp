@@ -38,6 +38,13 @@ TEST_F(Demrun, BodiesThatFoundNoRoomAreCountedAndFailTheRun) {
               "others were not due by 0.0005 s\n");
 }
 
+/// A command that gets a signal once it has written a file, or after a minute.
+std::string signalled(const std::string& signal, const std::string& file,
+                      const std::string& command) {
+    return "{ (for k in $(seq 1200); do [ -s " + file + " ] && break; sleep 0.05; done; kill -" +
+           signal + " $(cat pid)) & sh -c 'echo $$ > pid; exec " + command + "'; }";
+}
+
 TEST_F(Demrun, ASignalEndsTheRunWithEverythingSavedAndItsOwnExitCode) {
     struct Signal {
         int number;
@@ -46,9 +53,10 @@ TEST_F(Demrun, ASignalEndsTheRunWithEverythingSavedAndItsOwnExitCode) {
     for (const Signal& signal :
          {Signal{SIGINT, "INT"}, Signal{SIGTERM, "TERM"}, Signal{SIGHUP, "HUP"},
           Signal{SIGUSR1, "USR1"}, Signal{SIGUSR2, "USR2"}}) {
+        fs::remove_all(folder_ / "case");
         const Outcome outcome =
-            run_command("timeout --preserve-status --signal " + std::string(signal.name) + " 0.5 " +
-                            program("demrun") + " case.ini --force --set run.end_time=1h",
+            run_command(signalled(signal.name, "case/history.csv",
+                                  program("demrun") + " case.ini --set run.end_time=1h"),
                         folder_);
         EXPECT_EQ(outcome.code, 128 + signal.number) << outcome.errors;
         EXPECT_NE(outcome.errors.find("interrupted at "), std::string::npos) << outcome.errors;
@@ -75,8 +83,9 @@ TEST_F(Demrun, AnInterruptEndsALoopOverSeeds) {
     write("loop.sh", "for seed in 1 2 3; do\n  echo $seed >> seeds\n  " + program("demrun") +
                          " case.ini --quiet --set run.end_time=1h --set run.seed=$seed --out "
                          "run$seed\ndone\n");
-    const Outcome outcome =
-        run_command("timeout --preserve-status --signal INT 0.5 bash loop.sh", folder_);
+    const Outcome outcome = run_command(
+        signalled("INT", "run1/history.csv", "timeout --preserve-status 600 bash loop.sh"),
+        folder_);
     EXPECT_EQ(outcome.code, 128 + SIGINT) << outcome.errors;
     EXPECT_EQ(content(folder_ / "seeds"), "1\n");
     EXPECT_TRUE(fs::exists(folder_ / "run1/final.csv"));
