@@ -68,7 +68,7 @@ PendingFile::PendingFile(std::filesystem::path final_path)
     std::error_code ignored;
     const auto there = std::filesystem::status(final_, ignored);
     if (std::filesystem::is_directory(there)) {
-        throw Error(final_.string(), "is a directory, expected the name of a file to write");
+        throw Error(final_.string(), "is a folder, expected the name of a file to write");
     }
     // Renaming over it would put a file in the place of the device.
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {

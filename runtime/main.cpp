@@ -7,6 +7,7 @@
 #include "runtime/case/key.hpp"
 #include "runtime/case/read_scene.hpp"
 #include "runtime/case/scene_summary.hpp"
+#include "runtime/output/earlier_run.hpp"
 #include "runtime/run.hpp"
 
 #include <filesystem>
@@ -183,6 +184,10 @@ int run(const CommandLine& line) {
         std::optional<double> resumed_at;
         if (line.resume) resumed_at = dem::check_resume(scene);
         std::cout << dem::check_scene(scene, resumed_at);
+        const std::string& folder = scene.output.directory;
+        const std::string results = dem::earlier_results(folder);
+        if (!line.resume && !line.force && !results.empty())
+            std::cout << "warning: the run would be refused: " << folder << " " << results << "\n";
         return 0;
     }
     dem::note_stop_signals();

@@ -59,6 +59,8 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
     descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC,
                        S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH);
     if (descriptor_ < 0) {
+        if (errno == EISDIR)
+            throw Error(file.string(), "is a folder, expected the mark of a run or nothing");
         throw Error(folder.string(), "cannot write: " + std::generic_category().message(errno) +
                                          ", expected another folder (--out)");
     }

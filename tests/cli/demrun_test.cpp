@@ -77,9 +77,9 @@ TEST_F(Demrun, ABadCaseIsOneLineAndOneAndWritesNothing) {
     EXPECT_EQ(unknown.errors,
               "demrun: error: --set contact.frictoin: unknown key 'frictoin' in [contact], did you "
               "mean 'friction'?\n");
-    std::ofstream(folder_ / "case.ini", std::ios::app) << "colour = red\n";
+    std::ofstream(folder_ / "case.ini", std::ios::app) << "color = red\n";
     EXPECT_EQ(demrun("case.ini").errors.substr(0, 50),
-              "demrun: error: case.ini:20: unknown key 'colour' i");
+              "demrun: error: case.ini:20: unknown key 'color' i");
     EXPECT_EQ(demrun("none.ini").code, 1);
     EXPECT_FALSE(fs::exists(folder_ / "case"));
     EXPECT_FALSE(fs::exists(folder_ / "none"));
@@ -170,6 +170,12 @@ TEST_F(Demrun, ResultsAreNotReplacedUnlessForced) {
               "demrun: error: case: holds the results of a run, expected another folder (--out), "
               "--resume to go on with it, or --force to write over it\n");
     EXPECT_TRUE(content(folder_ / "case/final.csv") == state);
+    const auto checked = [&](const std::string& options) {
+        return demrun(other + "--check " + options).output;
+    };
+    const std::string warning = "warning: the run would be refused: case holds the results";
+    EXPECT_NE(checked("").find(warning), std::string::npos) << checked("");
+    EXPECT_EQ(checked("--force").find(warning), std::string::npos);
     EXPECT_EQ(demrun(other + "--force").code, 0);
     EXPECT_FALSE(content(folder_ / "case/final.csv") == state);
     EXPECT_EQ(demrun(other + "--force --resume").code, 2);

@@ -184,7 +184,7 @@ TEST_F(Frames, AFolderThatCannotBeWrittenIsNamed) {
     std::filesystem::create_directory(folder_ / "frames.h5");
     const std::string message = message_of<Error>([&] { FrameWriter(folder_, context_, shapes_); });
     EXPECT_EQ(message, (folder_ / "frames.h5").string() +
-                           ": is a directory, expected the name of a file to write");
+                           ": is a folder, expected the name of a file to write");
 }
 
 TEST_F(Frames, SurfacesAreTheDisplayMeshesMovedByEachParticle) {
