@@ -18,7 +18,7 @@ Aabb scene_extent(const Scene& scene);
 /// scene and hit by the fastest wall.
 double largest_expected_speed(const Scene& scene);
 
-/// Of surface points of bodies that spin at the start [m/s].
+/// The fastest that a surface point of a body spins at the start [m/s].
 double largest_rim_speed(const Scene& scene);
 
 /// The speed of the fastest impact to expect [m/s]: as above, surface points of spinning bodies

@@ -7,9 +7,10 @@
 /// share them (common/threads/thread_team.hpp): less is done sooner than a second thread has come.
 namespace dem {
 
-/// Of loops over bodies: 5 to 60 ns each.
+/// Grain of loops over bodies: 5 to 60 ns each.
 constexpr std::size_t bodies_at_a_time = 256;
-/// Of loops over pairs that may touch: 3 ns asleep, 50 ns two spheres, up to 3 us two polyhedra.
+/// Grain of loops over pairs that may touch: 3 ns asleep, 50 ns two spheres, up to 3 us two
+/// polyhedra.
 constexpr std::size_t pairs_at_a_time = 32;
 
 }  // namespace dem

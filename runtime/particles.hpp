@@ -13,13 +13,13 @@ namespace dem {
 /// State of every body, one array per quantity, indexed by the particle's id. World frame, SI.
 /// Masses and inertias are those of the body's kind (Scene::kinds).
 struct Particles {
-    std::vector<Vec3> position;          ///< of the centre of mass [m]
+    std::vector<Vec3> position;          ///< of the center of mass [m]
     std::vector<Quat> orientation;       ///< body -> world
     std::vector<Vec3> velocity;          ///< [m/s]
-    std::vector<Vec3> angular_momentum;  ///< about the centre of mass [kg m^2/s]
+    std::vector<Vec3> angular_momentum;  ///< about the center of mass [kg m^2/s]
     std::vector<Vec3> angular_velocity;  ///< [rad/s]; follows from orientation, momentum and kind
     std::vector<Vec3> force;             ///< [N], gravity included
-    std::vector<Vec3> torque;            ///< about the centre of mass [N m]
+    std::vector<Vec3> torque;            ///< about the center of mass [N m]
     std::vector<Vec3> old_force;         ///< of the step before, for the velocity correction
     std::vector<Vec3> old_torque;
     std::vector<std::uint32_t> kind;   ///< index into Scene::kinds

@@ -17,7 +17,7 @@ namespace dem {
 std::vector<double> margins(const Particles& particles, const Scene& scene,
                             std::span<const double> surface_reach, double dt);
 
-/// The same for every wall; 0 for walls that stand still.
+/// How far every wall may move before the lists are made again; 0 for walls that stand still.
 std::vector<double> wall_margins(const Scene& scene);
 
 }  // namespace dem

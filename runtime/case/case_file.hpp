@@ -38,7 +38,7 @@ struct CaseFile {
 /// section nor `key = value`, a section or a key given twice, a key without a value.
 CaseFile read_case_file(const std::string& path);
 
-/// The same from text; `path` only for messages.
+/// Reads a case from text; `path` only for messages.
 CaseFile parse_case(std::string_view text, const std::string& path);
 
 /// Sets `section.key=value` over what the file says; adds the key or the section if it is not

@@ -23,7 +23,7 @@ struct SecondsPerStep {
     }
 };
 
-/// Of one value of a measure, of all bodies.
+/// What one value of a measure costs, of all bodies [s].
 double seconds(const MeasureSettings& measure, double bodies, double triangles) {
     switch (measure.kind) {
         case MeasureSettings::Kind::contacts:

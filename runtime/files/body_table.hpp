@@ -18,7 +18,7 @@ struct BodyRow {
     std::uint64_t id = 0;
     std::string template_name;     ///< of the shape; empty where the column is missing
     std::string group;             ///< of the [particles.NAME] section; empty where it is missing
-    Vec3 position = Vec3::Zero();  ///< of the centre of mass [m]
+    Vec3 position = Vec3::Zero();  ///< of the center of mass [m]
     Quat orientation = Quat::Identity();   ///< body -> world
     Vec3 velocity = Vec3::Zero();          ///< [m/s]
     Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
@@ -26,13 +26,13 @@ struct BodyRow {
 };
 
 /// Reads a table with a header row; columns in any order, missing ones are zero and identity.
-/// A quaternion within 1e-3 of unit length is normalised (within 1e-12 it is kept bit by bit).
+/// A quaternion within 1e-3 of unit length is normalized (within 1e-12 it is kept bit by bit).
 /// Throws Error with file and line: an unknown (suggests the nearest) or repeated column, an
 /// incomplete quaternion, a row of another length, a field that is not a finite number, a
 /// quaternion that is not a unit one, no rows.
 std::vector<BodyRow> read_body_table(const std::filesystem::path& path);
 
-/// The same for text in memory; `where` names it in messages.
+/// Reads the table from text in memory; `where` names it in messages.
 std::vector<BodyRow> parse_body_table(std::string_view text, const std::string& where);
 
 /// Writes all columns, whole or not at all; every number reads back as the same double.

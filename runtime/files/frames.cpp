@@ -92,7 +92,7 @@ class FrameTables {
         file_.make_group(group_);
     }
 
-    /// Of all tables so far and the entry in the index.
+    /// The hash of all tables so far and the entry in the index.
     std::uint64_t hash(const std::string& entry) {
         hash_.add(entry);
         return hash_.value();

@@ -25,7 +25,7 @@ struct Frame {
     double time = 0.0;  ///< [s]
     std::uint64_t step = 0;
     std::span<const std::uint32_t> id;
-    std::span<const Vec3> position;               ///< of the centre of mass [m]
+    std::span<const Vec3> position;               ///< of the center of mass [m]
     std::span<const Quat> orientation;            ///< body -> world
     std::span<const Vec3> velocity;               ///< [m/s]
     std::span<const Vec3> angular_velocity;       ///< [rad/s]

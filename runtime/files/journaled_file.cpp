@@ -28,7 +28,7 @@ namespace dem {
 
 namespace {
 
-/// Of the time at most this part is spent on waiting for the disk.
+/// Waiting for the disk takes at most this part of the time.
 constexpr double sync_share = 0.05;
 /// From here on the journal is begun anew when everything is on the disk [bytes].
 constexpr std::uint64_t largest_journal = std::uint64_t{1} << 20;
@@ -43,7 +43,8 @@ std::filesystem::path journal_path(const std::filesystem::path& path) {
     return path.string() + ".journal";
 }
 
-/// Of the whole pages that an addition put behind the old end; what a disk lost reads as zero.
+/// The hash of the whole pages that an addition put behind the old end; what a disk lost reads as
+/// zero.
 std::uint64_t hash_of_new_part(int descriptor, std::uint64_t size_before,
                                std::uint64_t size_after) {
     ContentHash hash;

@@ -44,7 +44,7 @@ void check_tables(const std::filesystem::path& path, const Hdf5Reader& file,
     throw Error(path.string(), "holds " + group + " that was changed after it was written");
 }
 
-/// Of a frame or a set of triangles, by its name.
+/// The number that the name of a frame or a set of triangles is.
 std::uint64_t number(const std::filesystem::path& path, const std::string& name) {
     const auto value = whole_number(name);
     if (!value) throw Error(path.string(), "holds " + in_quotes(name) + " where numbers were");

@@ -17,7 +17,7 @@ namespace dem {
 struct Frame;
 
 /// The surfaces of all particles as triangles in the world frame: surfaces.h5 and surfaces.xdmf,
-/// coloured by particle id and speed. In single precision, which is enough to look at.
+/// colored by particle id and speed. In single precision, which is enough to look at.
 class SurfaceWriter {
   public:
     /// Shapes without a display mesh stay invisible. `frames` > 0: takes up the files of an earlier

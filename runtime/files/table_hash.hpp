@@ -11,7 +11,8 @@
 
 namespace dem {
 
-/// Of tables one after another, by which those that were damaged are found when a run is resumed.
+/// The hash of tables one after another, by which those that were damaged are found when a run is
+/// resumed.
 class TableHash {
   public:
     void add(std::span<const std::byte> table) {

@@ -15,7 +15,7 @@ namespace dem {
 void kick(Particles& particles, std::span<const BodyKind> kinds, double h);
 
 /// x += dt v; the orientation turns freely with L. Adds to `travel`. `bounding_radius`, per kind:
-/// how far surface points can lie from the centre of mass [m]; 0 for spheres, whose surface does
+/// how far surface points can lie from the center of mass [m]; 0 for spheres, whose surface does
 /// not move when they turn. The angular velocity is left to `predict`.
 void drift(Particles& particles, std::span<const BodyKind> kinds,
            std::span<const double> bounding_radius, double dt);

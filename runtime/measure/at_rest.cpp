@@ -10,8 +10,8 @@ namespace dem {
 namespace {
 /// Kinetic energy of a resting body, in m g d.
 constexpr double resting_energy = 1e-6;
-/// The same of one that rocks in place, the way that its center may go, in d, and for how long it
-/// does, in sqrt(d/g).
+/// Largest energy of a body that rocks in place, in m g d, the way that its center may go, in d,
+/// and for how long it does, in sqrt(d/g).
 constexpr double rocking_energy = 0.1;
 constexpr double rocking_distance = 0.5;
 constexpr double rocking_time = 100.0;

@@ -20,7 +20,7 @@ class HeightMap {
 
     /// Below the heights of all lines, each standing for a square of the grid [m^3].
     double volume() const;
-    /// Of the squares of all lines; tends to that of the disc [m^2].
+    /// Area of the squares of all lines; tends to that of the disc [m^2].
     double area() const;
 
   private:

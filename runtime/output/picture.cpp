@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A z-buffer: every triangle of every body is rasterised into (depth, body, shade) samples at twice
+// A z-buffer: every triangle of every body is rasterized into (depth, body, shade) samples at twice
 // the resolution of the picture, outlines are drawn where neighboring samples belong to different
 // bodies, and 2 x 2 samples are averaged into a pixel.
 #include "runtime/output/picture.hpp"
@@ -40,7 +40,7 @@ struct Sample {
 struct Camera {
     Mat3 axes;
     Vec3 lower = Vec3::Zero();  ///< of the visible box, camera frame [m]
-    double scale = 1.0;         ///< samples per metre
+    double scale = 1.0;         ///< samples per meter
     std::size_t width = 0, height = 0;
 
     Vec3 sample_position(const Vec3& world) const {

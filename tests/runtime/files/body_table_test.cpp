@@ -55,7 +55,7 @@ TEST_F(BodyTable, MissingColumnsAreZeroAndIdentityAndTheOrderIsFree) {
     EXPECT_EQ(bodies[1].line, 4U);
 }
 
-TEST_F(BodyTable, ATypedQuaternionIsNormalised) {
+TEST_F(BodyTable, ATypedQuaternionIsNormalized) {
     const auto bodies = parse_body_table("qw,qx,qy,qz\n0.7071,0,0.7071,0\n", "b");
     EXPECT_NEAR(bodies[0].orientation.norm(), 1.0, 1e-15);
     EXPECT_NEAR(bodies[0].orientation.w(), std::sqrt(0.5), 1e-15);
