@@ -3,7 +3,7 @@
 
 #include "common/math/aabb.hpp"
 #include "common/shapes/particle_template.hpp"
-#include "runtime/contact/contact_types.hpp"
+#include "runtime/contact/law/contact_law.hpp"
 #include "runtime/walls/wall.hpp"
 
 #include <cstdint>
@@ -102,7 +102,7 @@ struct RunSettings {
     /// run ends.
     double overlap_limit = 0.1;
     std::optional<Aabb> domain;  ///< leaving it is an error; none: derived from walls and regions
-    std::optional<double> skin;  ///< neighbour-list skin [m]; none: chosen
+    std::optional<double> skin;  ///< neighbor-list skin [m]; none: chosen
     /// For tests: the threads of each step in turn, which share every loop however small. Empty: as
     /// many as make steps shortest (common/threads/step_team.hpp). Never changes a result.
     std::vector<int> forced_threads;
@@ -123,8 +123,8 @@ struct MeasureSettings {
     std::string name;
     Kind kind = Kind::fill_height;
     std::optional<double> every = 0.0;  ///< [s]; none given: that of the history
-    /// Of a solid fraction: the layer between these heights above the vessel's floor [m]; without a
-    /// top up to the mean surface.
+    /// A solid fraction is that of the layer between these heights above the vessel's floor [m];
+    /// without a top up to the mean surface.
     double bottom = 0.0;
     std::optional<double> top = std::nullopt;
 };

@@ -31,14 +31,14 @@ ContactLaw options(const Values& values) {
     ContactLaw law;
     law.model = values.choice<ContactLaw::Model>("model");
     // What `automatic` means for convex shapes has a name of its own.
-    law.method = values.word("contact") == "features"
-                     ? ContactLaw::Method::automatic
-                     : values.choice<ContactLaw::Method>("contact");
+    law.geometry.method = values.word("contact") == "features"
+                              ? ContactLaw::Method::automatic
+                              : values.choice<ContactLaw::Method>("contact");
     law.tangential = values.choice<ContactLaw::Tangential>("tangential");
     law.damping_mass = values.choice<ContactLaw::DampingMass>("damping_mass");
-    law.multi_contact = values.choice<ContactLaw::MultiContact>("multi_contact");
-    law.radius = values.choice<ContactLaw::Radius>("radius");
-    law.node_normal = values.choice<ContactLaw::NodeNormal>("node_normal");
+    law.geometry.multi_contact = values.choice<ContactLaw::MultiContact>("multi_contact");
+    law.geometry.radius = values.choice<ContactLaw::Radius>("radius");
+    law.geometry.node_normal = values.choice<ContactLaw::NodeNormal>("node_normal");
     law.limit_force = values.yes_no("limit_force");
     law.friction = values.optional_number("friction").value_or(0.0);
     law.stiffness_ratio = values.number("stiffness_ratio");
@@ -64,7 +64,7 @@ MaterialUse material_use(const Scene& scene) {
 
 void check_method(const Scene& scene, const Values& values, const ContactLaw& law, std::uint32_t a,
                   std::uint32_t b) {
-    if (law.method != ContactLaw::Method::continuous) return;
+    if (law.geometry.method != ContactLaw::Method::continuous) return;
     for (const BodyKind& kind : scene.kinds) {
         const ParticleTemplate& shape = scene.shapes[kind.shape];
         if ((kind.material != a && kind.material != b) || shape.is_convex) continue;
@@ -74,28 +74,27 @@ void check_method(const Scene& scene, const Values& values, const ContactLaw& la
     }
 }
 
-/// Whether a law looks at a key of [contact].
-bool has_meaning(std::string_view key, const ContactLaw& law) {
+/// What a law would have to say to look at a key of [contact]; empty where it does.
+std::string_view lacking(std::string_view key, const ContactLaw& law) {
     const bool is_linear = law.model == ContactLaw::Model::linear;
-    if (key == "normal_stiffness" || key == "tangential_restitution") return is_linear;
-    if (key == "tangential" || key == "damping_ratio" || key == "radius") return !is_linear;
+    if (key == "normal_stiffness" || key == "tangential_restitution")
+        return is_linear ? "" : "model = linear";
+    if (key == "tangential" || key == "damping_ratio" || key == "radius")
+        return is_linear ? "model = hertz" : "";
     if (key == "stiffness_ratio") {
-        return !is_linear && law.tangential == ContactLaw::Tangential::ratio;
+        if (is_linear) return "model = hertz";
+        return law.tangential == ContactLaw::Tangential::ratio ? "" : "tangential = ratio";
     }
-    return true;
+    return "";
 }
 
 /// Throws Error for a key of a section that none of the laws it is for looks at.
 void check_meaning(const CaseSection& section, const std::vector<ContactLaw>& laws) {
     for (const CaseEntry& entry : section.entries) {
-        const auto looks = [&](const ContactLaw& law) { return has_meaning(entry.key, law); };
+        const auto looks = [&](const ContactLaw& law) { return lacking(entry.key, law).empty(); };
         if (laws.empty() || std::any_of(laws.begin(), laws.end(), looks)) continue;
-        const bool is_linear = laws.front().model == ContactLaw::Model::linear;
-        throw Error(entry.where,
-                    in_quotes(entry.key) + " means nothing here, expected it with " +
-                        (entry.key == "stiffness_ratio" && !is_linear ? "tangential = ratio"
-                         : is_linear                                  ? "model = hertz"
-                                                                      : "model = linear"));
+        throw Error(entry.where, in_quotes(entry.key) + " means nothing here, expected it with " +
+                                     std::string(lacking(entry.key, laws.front())));
     }
 }
 
@@ -109,7 +108,7 @@ double half_thickness(const MassProperties& properties) {
 // Nodes look into a field of distances, whose cells cannot be arbitrarily thin.
 void check_field(const Scene& scene, const Values& values, const ContactLaw& law, std::uint32_t a,
                  std::uint32_t b) {
-    if (law.method != ContactLaw::Method::nodes) return;
+    if (law.geometry.method != ContactLaw::Method::nodes) return;
     for (const BodyKind& kind : scene.kinds) {
         const ParticleTemplate& shape = scene.shapes[kind.shape];
         if (kind.material != a && kind.material != b) continue;

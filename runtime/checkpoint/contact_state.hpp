@@ -5,8 +5,8 @@
 #include "runtime/narrow_phase/neighbor_lists.hpp"
 
 /// The contacts of neighbor lists in a checkpoint: of every list the pairs that touch, with what
-/// they remember and what they did in the last step. Whatever kinds of pairs there are, a list is
-/// known by its type. Candidates that do not touch and caches change no bit and stay behind.
+/// they remember and what they did in the last step. A list is known by the name of its row.
+/// Candidates that do not touch and caches change no bit and stay behind.
 namespace dem {
 
 template <>
@@ -18,7 +18,7 @@ struct TouchingPairs {
     std::vector<typename List::History> histories;
     std::vector<PairResult> results;
 
-    static std::string name() { return std::string("contacts.") + typeid(List).name(); }
+    static std::string name() { return "contacts." + List::Row::name(); }
 
     template <class Self, class Visit>
     static void visit_state(Self& self, Visit& visit) {
@@ -61,20 +61,17 @@ void load_contacts(NeighborLists& lists, List& list, std::size_t particles, std:
 }
 
 inline void save_contacts(const NeighborLists& lists, StateWriter& writer) {
-    const auto save = [&](const auto&... list) { (save_contacts(lists, list, writer), ...); };
-    std::apply(save, lists.pairs);
-    std::apply(save, lists.walls);
+    for_each_list(lists, [&](const auto& list) { save_contacts(lists, list, writer); });
 }
 
 /// Lists of the touching pairs alone: the next step makes new ones and carries these over.
 inline NeighborLists load_contacts(std::uint32_t particles, std::size_t walls,
                                    StateReader& reader) {
     NeighborLists lists;
-    std::apply(
-        [&](auto&... list) { (load_contacts(lists, list, particles, particles, reader), ...); },
-        lists.pairs);
-    std::apply([&](auto&... list) { (load_contacts(lists, list, particles, walls, reader), ...); },
-               lists.walls);
+    for_each_list(lists.pairs,
+                  [&](auto& list) { load_contacts(lists, list, particles, particles, reader); });
+    for_each_list(lists.walls,
+                  [&](auto& list) { load_contacts(lists, list, particles, walls, reader); });
     index_contacts(lists, particles);
     return lists;
 }

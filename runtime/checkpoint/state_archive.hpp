@@ -8,8 +8,8 @@
 
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <type_traits>
-#include <typeinfo>
 #include <utility>
 #include <vector>
 
@@ -26,6 +26,13 @@ template <>
 inline constexpr bool is_plain<Vec3> = true;
 template <>
 inline constexpr bool is_plain<Quat> = true;
+
+/// What a checkpoint says about the type of a value beside its size.
+template <class T>
+constexpr std::string_view plain_word() {
+    if (std::is_floating_point_v<T>) return "real";
+    return std::is_integral_v<T> || std::is_enum_v<T> ? "integer" : "record";
+}
 
 class StateWriter {
   public:
@@ -45,7 +52,7 @@ class StateWriter {
     void add(const std::string& name, const T* values, std::size_t count) {
         static_assert(is_plain<T>);
         const auto* first = reinterpret_cast<const std::byte*>(values);
-        PlainValues stored{typeid(T).name(), sizeof(T), {}};
+        PlainValues stored{std::string(plain_word<T>()), sizeof(T), {}};
         if (count > 0) stored.bytes.assign(first, first + count * sizeof(T));
         const bool is_new = checkpoint_.emplace(name, std::move(stored)).second;
         DEM_ASSERT(is_new);
@@ -95,7 +102,7 @@ class StateReader {
         const auto entry = checkpoint_.extract(name);
         if (entry.empty()) fail("holds no " + in_quotes(name));
         const PlainValues& stored = entry.mapped();
-        if (stored.type != typeid(T).name() || stored.value_bytes != sizeof(T)) {
+        if (stored.type != plain_word<T>() || stored.value_bytes != sizeof(T)) {
             fail("holds " + in_quotes(name) + " of another type");
         }
         return stored;

@@ -4,20 +4,21 @@
 #include "common/math/types.hpp"
 
 #include <cstdint>
-#include <type_traits>
+#include <vector>
 
 /// The kernel contract: what goes into and comes out of every contact kernel of `dem_contact`.
 /// A kernel is a pure function
 ///
-///     PairContact collide(const ShapeA& a, const ShapeB& b, const PairState& pair,
-///                         const ContactLaw& law, double dt, Memory memory)
+///     PairContact collide(const ShapeA& a, const ShapeB& b, const Call<History, Cache>& call)
 ///
-/// in which `memory` is what the pair remembers: its history, by reference, with a cache where the
-/// search has one (ContactMemory, NodeMemory). i (shape a) is the particle with the lower id, or
-/// the particle when b is a wall. All vectors are in the world frame; points are relative to the
-/// centre of mass of i. The host owns the history and the cache, calls in any order on any thread
-/// or process, and gets the same bits.
+/// of two shapes, written once for each row of the table of pairs (pairs/pair_table.hpp). i has
+/// shape a; a wall is always j. All vectors are in the world frame; points are relative to the
+/// center of mass of i. The host owns what a pair remembers, calls in any order on any thread or
+/// process, and gets the same bits.
 namespace dem {
+
+/// Force law of one pair of materials (law/contact_law.hpp).
+struct ContactLaw;
 
 /// Inertia of a rigid body as a contact needs it. All zero: a fixed body or a wall.
 struct InverseInertia {
@@ -30,59 +31,22 @@ struct InverseInertia {
 /// Motion of one body. For a wall: of its reference point.
 struct BodyState {
     Quat orientation = Quat::Identity();   ///< body -> world
-    Vec3 velocity = Vec3::Zero();          ///< of the centre of mass [m/s]
+    Vec3 velocity = Vec3::Zero();          ///< of the center of mass [m/s]
     Vec3 angular_velocity = Vec3::Zero();  ///< world frame [rad/s]
     InverseInertia inverse_inertia;
 };
 
 struct PairState {
-    Vec3 displacement;  ///< from the centre of i to the centre of j [m]; periodic image resolved
+    Vec3 displacement;  ///< from the center of i to the center of j [m]; periodic image resolved
     BodyState i, j;
-};
-
-/// Force law of one pair of materials, with everything that does not change during a run derived.
-struct ContactLaw {
-    enum class Model : std::uint8_t { hertz, linear };
-    enum class Method : std::uint8_t { automatic, continuous, nodes, centroid };
-    enum class Tangential : std::uint8_t { ratio, mindlin };
-    enum class DampingMass : std::uint8_t { contact, reduced };
-    enum class MultiContact : std::uint8_t { norm, sum, deepest };
-    enum class Radius : std::uint8_t { onset, local, equivalent };
-    /// Direction of the force at a node (docs/contact-nodes.md): gradient of the interpolant, the
-    /// same normalized, interpolated distance vectors, averaged over the contact nodes [SR] Eq. 16.
-    enum class NodeNormal : std::uint8_t { gradient, normalized, vectors, averaged };
-
-    Model model = Model::hertz;
-    Method method = Method::automatic;
-    Tangential tangential = Tangential::mindlin;
-    DampingMass damping_mass = DampingMass::contact;
-    MultiContact multi_contact = MultiContact::norm;
-    Radius radius = Radius::onset;
-    NodeNormal node_normal = NodeNormal::gradient;
-    bool limit_force = false;  ///< cut the normal force at zero
-
-    double youngs_modulus = 0.0;  ///< Y* [Pa], [SR] Eq. 13
-    double shear_modulus = 0.0;   ///< G* [Pa], [SR] Eq. 13
-    /// Of the normal dashpot over sqrt(k_n m_e): sqrt(5) |beta| ([SR] Eq. 12-13), for `linear`
-    /// 2 |beta|; beta from the restitution.
-    double damping = 0.0;
-    double friction = 0.0;               ///< Coulomb mu
-    double stiffness_ratio = 2.0 / 7.0;  ///< k_t / k_n
-    double damping_ratio = 0.5;          ///< gamma_t / gamma_n
-
-    // model = linear [GC] Sec. 6, instead of moduli and ratios.
-    double normal_stiffness = 0.0;      ///< k_n [N/m]
-    double contact_time = 0.0;          ///< t_c sqrt(k_n / m) = sqrt(pi^2 + ln^2 e_n)
-    double tangential_stiffness = 0.0;  ///< (pi^2 + ln^2 e_t) / (pi^2 + ln^2 e_n)
-    double tangential_damping = 0.0;    ///< -2 ln e_t / sqrt(pi^2 + ln^2 e_n)
 };
 
 /// What a contact does to its two bodies in this step. The force on j is exactly -force.
 struct PairContact {
     Vec3 force = Vec3::Zero();       ///< on i [N]
-    Vec3 torque_i = Vec3::Zero();    ///< on i about its centre of mass [N m]
-    Vec3 torque_j = Vec3::Zero();    ///< on j about its centre of mass [N m]
-    double overlap = 0.0;            ///< generalised overlap [m]; > 0 while touching
+    Vec3 torque_i = Vec3::Zero();    ///< on i about its center of mass [N m]
+    Vec3 torque_j = Vec3::Zero();    ///< on j about its center of mass [N m]
+    double overlap = 0.0;            ///< generalized overlap [m]; > 0 while touching
     double elastic_energy = 0.0;     ///< stored in normal and tangential springs [J]
     double dissipated_energy = 0.0;  ///< by dashpots and slip during this step [J]
     std::uint32_t points = 0;        ///< contact points; 0: the bodies do not touch
@@ -91,17 +55,6 @@ struct PairContact {
     bool touches() const { return points != 0; }
 };
 
-/// History of a pair that touches in one point. All zero: no contact.
-struct PointHistory {
-    StoredVec3 normal;  ///< last unit normal, from j towards i
-    StoredVec3 spring;  ///< tangential spring, half a step ahead [m], normal to `normal`
-    double effective_radius = 0.0;  ///< R* frozen at the onset of the contact [m]
-    double phase = 0.0;      ///< age in radians of its own oscillation; counts in laps once settled
-    double stiffness = 0.0;  ///< k_t of the step before [N/m]
-    double dissipated = 0.0;  ///< by the contact so far; a stiffness that grows gives no more [J]
-};
-static_assert(std::is_trivially_copyable_v<PointHistory>);
-
 /// Lower bound of the gap of a pair that does not touch, found on the way. It may prove a miss
 /// later (the host compares it with how far the bodies have moved) and never changes a contact.
 struct MissCache {
@@ -109,13 +62,61 @@ struct MissCache {
     double gap = 0.0;  ///< proven distance when the kernel last ran [m]; <= 0: unknown
 };
 
-/// What the host owns for a pair of smooth bodies.
-template <class History>
-struct ContactMemory {
-    History& history;
-    MissCache& miss;
+/// For kernels that prove no gap.
+struct NoCache {};
+
+/// What a pair remembers, owned by the host: its history, which the next step needs, and what may
+/// be dropped at any time and spares work.
+template <class HistoryType, class CacheType>
+struct Memory {
+    HistoryType& history;
+    CacheType& cache;
 };
+template <class History, class Cache>
+Memory(History&, Cache&) -> Memory<History, Cache>;
+
+struct ContactPoint;
+struct ConvexScratch;
+
+/// Room that kernels work in, owned by the host, one per thread: kernels allocate nothing.
+struct Scratch {
+    /// For kernels with many points; as large as the largest number of nodes of any shape and as
+    /// contact_room() of any clump.
+    std::vector<ContactPoint>* points = nullptr;
+    ConvexScratch* features = nullptr;  ///< of kernels of convex shapes
+};
+
+/// What a kernel is called with, besides the two shapes.
+template <class History, class Cache>
+struct Call {
+    const PairState& pair;
+    const ContactLaw& law;
+    double dt;  ///< of the step that led here [s]
+    Memory<History, Cache> memory;
+    /// A bound on the path walked by any point of either body, one added to the other, since some
+    /// fixed time [m]: it never falls, and no point of one body has come nearer to a point of the
+    /// other by more than its increase.
+    double travel = 0.0;
+    Scratch scratch = {};
+};
+template <class History, class Cache>
+Call(const PairState&, const ContactLaw&, double, Memory<History, Cache>, double = 0.0,
+     Scratch = {}) -> Call<History, Cache>;
+
+/// What a kernel returns for bodies that are apart: the history forgets the contact.
 template <class History>
-ContactMemory(History&, MissCache&) -> ContactMemory<History>;
+PairContact apart(const Call<History, NoCache>& call) {
+    if (call.memory.history.touched()) call.memory.history = {};
+    return {};
+}
+/// What it returns where a gap is proven [m], along `axis` from i to j if there is one: the cache
+/// keeps both.
+template <class History>
+PairContact apart(const Call<History, MissCache>& call, double gap,
+                  const Vec3& axis = Vec3::Zero()) {
+    if (call.memory.history.touched()) call.memory.history = {};
+    call.memory.cache = {axis, gap};
+    return {};
+}
 
 }  // namespace dem

@@ -21,7 +21,7 @@ namespace dem {
 
 namespace {
 
-constexpr std::uint64_t checkpoint_layout = 1;  // raised when a reader would have to change
+constexpr std::uint64_t checkpoint_layout = 2;  // raised when a reader would have to change
 constexpr const char* checkpoint_kind = "checkpoint that demrun wrote";
 constexpr std::string_view trailer_mark = "ShapeDEM checkpoint ";
 

@@ -54,34 +54,6 @@ struct WallPartner {
     }
 };
 
-// ---- Kernels by what they remember of a pair.
-
-template <class A, class B>
-struct KernelCall {
-    const A& a;
-    const B& b;
-    const PairState& pair;
-    const ContactLaw& law;
-    double dt;
-    double travel;  // of the two bodies, added up [m]
-    ContactScratch& scratch;
-    ConvexScratch& convex;
-
-    PairContact contact(PointHistory& history, NoCache&) const {
-        return collide(a, b, pair, law, dt, history);
-    }
-    template <class History>
-    PairContact contact(History& history, MissCache& miss) const {
-        return collide(a, b, pair, law, dt, ContactMemory{history, miss});
-    }
-    PairContact contact(ConvexHistory& history, MissCache& miss) const {
-        return collide(a, b, pair, law, dt, ConvexMemory{history, miss, convex});
-    }
-    PairContact contact(PatchHistory& history, NodeCache& cache) const {
-        return collide(a, b, pair, law, dt, NodeMemory{history, cache, scratch, travel});
-    }
-};
-
 // Travels and positions are long sums, each term rounded: a little less than the gap is certain.
 double certain_travel(double travel, double gap, double radius) {
     return travel * (1.0 - 1e-13) + gap - 1e-9 * radius;
@@ -110,14 +82,22 @@ struct Worker {
     typename List::Changes& changes;
     NarrowPhaseScratch::Thread& scratch;
 
+    using A = typename List::A;
+    using B = typename List::B;
+
+    /// Whether the first of a pair is the second of the list's row.
+    bool reverses(const IdPair& ids) const {
+        if constexpr (Partner::is_wall || std::is_same_v<A, B>) return false;
+        return !std::holds_alternative<A>(partner.bodies.shape(ids.i).shape);
+    }
+
     // Distance of a pair that does not touch, at least; <= 0 when nothing is known [m].
-    template <class A, class B>
     double gap(const A& a, const B& b, std::uint32_t k, double travel) const {
         const IdPair ids = list.ids[k];
         const auto& position = partner.bodies.particles.position;
         if constexpr (std::is_same_v<typename List::Cache, MissCache>) {
             return list.caches[k].gap;
-        } else if constexpr (std::is_same_v<typename List::Cache, NodeCache>) {
+        } else if constexpr (std::is_same_v<typename List::Cache, NearCache>) {
             return list.caches[k].clear_until - travel;
         } else if constexpr (Partner::is_wall) {
             return wall_distance(b, partner.bodies.walls.state[ids.j], position[ids.i]) - a.radius;
@@ -132,15 +112,20 @@ struct Worker {
         const double travel = bodies.particles.travel[ids.i] + partner.travel(ids.j);
         if (travel < list.quiet_until[k]) return;
 
-        const auto& a = *std::get_if<typename List::A>(&bodies.shape(ids.i).shape);
-        const auto& b = partner.template shape<typename List::B>(ids.j);
-        const PairState pair = partner.pair(ids);
-        typename List::History fresh{};
         const bool is_new = list.history_of[k] == List::none;
+        typename List::History fresh{};
         auto& history = is_new ? fresh : list.histories[list.history_of[k]];
-        const KernelCall<typename List::A, typename List::B> call{
-            a, b, pair, partner.law(ids), dt, travel, scratch.points, scratch.convex};
-        const PairContact contact = call.contact(history, list.caches[k]);
+        const Memory memory{history, list.caches[k]};
+        const PairState pair = partner.pair(ids);
+        const ContactLaw& law = partner.law(ids);
+        const Scratch room{&scratch.points, &scratch.convex};
+        const bool is_reversed = reverses(ids);
+        const auto& a = *std::get_if<A>(&bodies.shape(is_reversed ? ids.j : ids.i).shape);
+        const B& b = partner.template shape<B>(is_reversed ? ids.i : ids.j);
+        const PairContact contact =
+            is_reversed
+                ? reversed(collide(a, b, Call{reversed(pair), law, dt, memory, travel, room}))
+                : collide(a, b, Call{pair, law, dt, memory, travel, room});
 
         const std::uint32_t r = list.first_result + k;
         lists.touching[r] = contact.touches() ? 1 : 0;
@@ -232,18 +217,18 @@ LargestOverlap compute_contacts(NeighborLists& lists, const Bodies& bodies, doub
     }
     const ParticlePartner particle{bodies, scratch.equivalent_radius};
     const WallPartner wall{bodies, scratch.equivalent_radius};
-    const auto for_each_list = [&](const auto& visit) {
-        std::apply([&](auto&... list) { (visit(list, particle), ...); }, lists.pairs);
-        std::apply([&](auto&... list) { (visit(list, wall), ...); }, lists.walls);
+    const auto with_partners = [&](const auto& visit) {
+        for_each_list(lists.pairs, [&](auto& list) { visit(list, particle); });
+        for_each_list(lists.walls, [&](auto& list) { visit(list, wall); });
     };
-    for_each_list([&](auto& list, const auto&) { list.changes.resize(scratch.threads.size()); });
+    for_each_list(lists, [&](auto& list) { list.changes.resize(scratch.threads.size()); });
     // The results of all lists lie one after the other: one loop over them.
     share_loop(lists.results.size(), pairs_at_a_time, [&](const LoopPart& part) {
-        for_each_list([&](auto& list, const auto& partner) {
+        with_partners([&](auto& list, const auto& partner) {
             compute_part(list, lists, partner, dt, part, scratch);
         });
     });
-    for_each_list([&]<class Partner>(auto& list, const Partner&) {
+    with_partners([&]<class Partner>(auto& list, const Partner&) {
         settle_changes(list, [&](const IdPair& ids) {
             lists.touching_entries.changed[ids.i] = 1;
             if constexpr (!Partner::is_wall) lists.touching_entries.changed[ids.j] = 1;

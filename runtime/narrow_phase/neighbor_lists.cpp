@@ -86,7 +86,7 @@ std::vector<std::uint32_t> distribute(std::tuple<List...>& lists,
         first_result += list.size();
         ++kind;
     };
-    std::apply([&](auto&... list) { (renew(list), ...); }, lists);
+    for_each_list(lists, renew);
 
     std::vector<std::uint32_t> result_of(candidates.size());
     for (std::size_t c = 0; c < candidates.size(); ++c) result_of[c] = next[kind_of[c]]++;
@@ -152,15 +152,16 @@ void rebuild(NeighborLists& lists, const Bodies& bodies, const BodyAabbs& aabbs,
     const auto pair_result = distribute(
         lists.pairs, pairs,
         [&]<class List>(List*, const IdPair& pair) {
-            return handles<List>(bodies.shape(pair.i), bodies.shape(pair.j),
-                                 bodies.law(pair.i, pair.j));
+            return handles<typename List::Row>(bodies.shape(pair.i), bodies.shape(pair.j),
+                                               bodies.law(pair.i, pair.j));
         },
         lists.touching, first_result);
     const auto wall_result = distribute(
         lists.walls, wall_pairs,
         [&]<class List>(List*, const IdPair& pair) {
-            return handles<List>(bodies.shape(pair.i), bodies.scene.walls[pair.j].shape,
-                                 bodies.wall_law(pair.i, pair.j));
+            return handles<typename List::Row>(bodies.shape(pair.i),
+                                               bodies.scene.walls[pair.j].shape,
+                                               bodies.wall_law(pair.i, pair.j));
         },
         lists.touching, first_result);
     lists.adjacency =
@@ -184,14 +185,12 @@ void index_contacts(NeighborLists& lists, std::uint32_t particles) {
         std::vector<std::uint32_t> results;
     };
     // All lists together in the order of ids, as the candidates of a rebuild are.
-    const auto collected = [](const auto&... list) {
+    const auto collected = [](const auto& some) {
         std::vector<std::pair<IdPair, std::uint32_t>> all;
-        const auto add = [&](const auto& one) {
-            for (std::uint32_t k = 0; k < one.size(); ++k) {
-                all.emplace_back(one.ids[k], one.first_result + k);
-            }
-        };
-        (add(list), ...);
+        for_each_list(some, [&](const auto& list) {
+            for (std::uint32_t k = 0; k < list.size(); ++k)
+                all.emplace_back(list.ids[k], list.first_result + k);
+        });
         std::sort(all.begin(), all.end());
         Contacts contacts;
         for (const auto& [ids, result] : all) {
@@ -200,8 +199,8 @@ void index_contacts(NeighborLists& lists, std::uint32_t particles) {
         }
         return contacts;
     };
-    const Contacts pairs = std::apply(collected, lists.pairs);
-    const Contacts walls = std::apply(collected, lists.walls);
+    const Contacts pairs = collected(lists.pairs);
+    const Contacts walls = collected(lists.walls);
     lists.adjacency = transposed(particles, pairs.ids, pairs.results, walls.ids, walls.results);
     lists.touching_entries.reset(lists.adjacency);
 }

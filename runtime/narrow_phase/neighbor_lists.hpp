@@ -3,7 +3,7 @@
 
 #include "runtime/broad_phase/body_aabb.hpp"
 #include "runtime/narrow_phase/bodies.hpp"
-#include "runtime/narrow_phase/pair_kinds.hpp"
+#include "runtime/narrow_phase/pair_list.hpp"
 
 #include <cstdint>
 #include <span>
@@ -14,7 +14,7 @@ namespace dem {
 /// What one pair does in this step: what the sum over a particle's contacts needs, no more.
 struct PairResult {
     Vec3 force;                ///< on i [N]
-    Vec3 torque_i, torque_j;   ///< about the centres of mass [N m]
+    Vec3 torque_i, torque_j;   ///< about the centers of mass [N m]
     double elastic_energy;     ///< [J]
     double dissipated_energy;  ///< during this step [J]
     double wall_work;          ///< of a moving wall on the particle during this step [J]
@@ -71,8 +71,8 @@ struct TouchingEntries {
 /// Neighbor lists: every pair that may touch until some body has used up its margin, sorted into
 /// one list per pair of shape kinds. Results do not depend on when lists are made.
 struct NeighborLists {
-    PairLists pairs;
-    WallLists walls;
+    ParticlePairs::Lists<PairList> pairs;
+    WallPairs::Lists<PairList> walls;
     Adjacency adjacency;
     TouchingEntries touching_entries;
     std::vector<PairResult> results;     ///< of all lists, one after the other
@@ -81,6 +81,19 @@ struct NeighborLists {
     std::vector<double> wall_limit;
     std::uint64_t rebuilds = 0;
 };
+
+/// Calls f(list) for every list: pairs of particles first, then those with walls, in the order of
+/// their rows.
+template <class Lists, class Each>
+void for_each_list(Lists& lists, const Each& f) {
+    std::apply([&](auto&... list) { (f(list), ...); }, lists);
+}
+template <class ListsOrConst, class Each>
+requires std::is_same_v<std::remove_const_t<ListsOrConst>, NeighborLists>
+void for_each_list(ListsOrConst& lists, const Each& f) {
+    for_each_list(lists.pairs, f);
+    for_each_list(lists.walls, f);
+}
 
 /// True when a body has been added or has moved farther than its margin.
 bool is_stale(const NeighborLists& lists, const Bodies& bodies);

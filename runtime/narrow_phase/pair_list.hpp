@@ -2,7 +2,7 @@
 #pragma once
 
 #include "runtime/broad_phase/hierarchical_grid.hpp"
-#include "runtime/contact/contact_types.hpp"
+#include "runtime/contact/pairs/pair_table.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -12,20 +12,15 @@
 
 namespace dem {
 
-/// For kernels that prove no gap.
-struct NoCache {};
-
-/// Candidate pairs of one pair of shape kinds: A of particle i, B of particle j or of wall j. What
-/// a pair keeps between steps is carried from list to list; only touching pairs have a history.
-/// `Method`: the way of computing contacts that the list is for; automatic: the only one there is.
-template <class ShapeA, class ShapeB, class HistoryType, class CacheType,
-          ContactLaw::Method Method = ContactLaw::Method::automatic>
+/// Candidate pairs of one row of the table of pairs: particle i and particle or wall j. What a pair
+/// keeps between steps is carried from list to list; only touching pairs have a history.
+template <class PairRow>
 struct PairList {
-    using A = ShapeA;
-    using B = ShapeB;
-    using History = HistoryType;
-    using Cache = CacheType;
-    static constexpr ContactLaw::Method method = Method;
+    using Row = PairRow;
+    using A = typename Row::A;
+    using B = typename Row::B;
+    using History = typename Row::History;
+    using Cache = typename Row::Cache;
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     static constexpr double never_quiet = -1.0;
 

@@ -7,6 +7,7 @@
 #include "runtime/contact/pairs/sr_sr_continuous.hpp"
 #include "runtime/contact/pairs/sr_wall.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
+#include "tests/runtime/contact/memory_of.hpp"
 
 #include <vector>
 
@@ -24,7 +25,7 @@ ContactLaw packing_law() {
     return law;
 }
 
-/// Touching with a few micrometres, or apart by `gap`; slow motion as in a settling bed.
+/// Touching with a few micrometers, or apart by `gap`; slow motion as in a settling bed.
 std::vector<PairState> pairs(const SolidBody& body, double overlap) {
     const ContactLaw law = packing_law();
     std::vector<PairState> result;
@@ -46,7 +47,7 @@ std::vector<PairState> pairs(const SolidBody& body, double overlap) {
             PointHistory history;
             MissCache miss;
             const PairContact c =
-                collide(body.shape, body.shape, pair, law, 0.0, ContactMemory{history, miss});
+                collide(body.shape, body.shape, Call{pair, law, 0.0, Memory{history, miss}});
             const bool too_near =
                 c.touches() ? c.overlap > overlap : overlap < 0.0 && miss.gap < -overlap;
             (too_near ? low : high) = middle;
@@ -93,8 +94,8 @@ void continuous(benchmark::State& state, const SolidBody& body, double overlap, 
         }
         state.ResumeTiming();
         for (std::size_t k = 0; k < pair_count; ++k)
-            benchmark::DoNotOptimize(collide(body.shape, body.shape, all[k], law, dt,
-                                             ContactMemory{histories[k], caches[k]}));
+            benchmark::DoNotOptimize(collide(
+                body.shape, body.shape, Call{all[k], law, dt, Memory{histories[k], caches[k]}}));
     }
     report(state);
 }
@@ -138,7 +139,8 @@ void sphere_pairs(benchmark::State& state, double overlap) {
     std::vector<PointHistory> histories(pair_count);
     for (auto _ : state)
         for (std::size_t k = 0; k < pair_count; ++k)
-            benchmark::DoNotOptimize(collide(sphere, sphere, all[k], law, dt, histories[k]));
+            benchmark::DoNotOptimize(
+                collide(sphere, sphere, Call{all[k], law, dt, memory_of(histories[k])}));
     report(state);
 }
 
@@ -157,7 +159,7 @@ void inside_cylinder(benchmark::State& state, const SolidBody& body) {
             const double r = 0.5 * (low + high);
             p.displacement = -r * Vec3(std::cos(angle), std::sin(angle), 0.0);
             PatchHistory history;
-            (collide(body.shape, wall, p, law, dt, ContactMemory{history, miss}).overlap > 5e-6
+            (collide(body.shape, wall, Call{p, law, dt, Memory{history, miss}}).overlap > 5e-6
                  ? high
                  : low) = r;
         }
@@ -165,7 +167,7 @@ void inside_cylinder(benchmark::State& state, const SolidBody& body) {
     for (auto _ : state)
         for (std::size_t k = 0; k < pair_count; ++k)
             benchmark::DoNotOptimize(
-                collide(body.shape, wall, all[k], law, dt, ContactMemory{histories[k], miss}));
+                collide(body.shape, wall, Call{all[k], law, dt, Memory{histories[k], miss}}));
     report(state);
 }
 

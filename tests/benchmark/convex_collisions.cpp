@@ -109,7 +109,8 @@ Outcome collision(const Combination& pair, const ContactLaw& law, double dt, App
         const double flight = 0.9 * miss.gap / pace;
         const bool flies = !bodies.contact.touches() && flight > dt;
         bodies.step(flies ? flight : dt, [&](const PairState& state, double h) {
-            return collide(pair.a.shape, pair.b.shape, state, law, h, {history, miss, scratch});
+            return collide(pair.a.shape, pair.b.shape,
+                           CoreCall{state, law, h, {history, miss}, 0.0, {nullptr, &scratch}});
         });
         if (bodies.contact.touches()) {
             outcome.touched = true;
@@ -151,7 +152,7 @@ Mean mean_of(const Combination& pair, const ContactLaw& law, double fraction, Ap
 
 void print_table(ContactLaw::Method method, int wanted) {
     ContactLaw options;
-    options.method = method;
+    options.geometry.method = method;
     const ContactLaw smooth = linear_law(stiffness, 1.0, 1.0, options);
     options.friction = 0.1;
     const ContactLaw slipping = linear_law(stiffness, 1.0, 1.0, options);

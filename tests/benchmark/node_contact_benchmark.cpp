@@ -39,7 +39,7 @@ double nearest_node(const SrShape& master, const SrField& field) {
 struct Pair {
     PairState state;
     PatchHistory history{};
-    NodeCache cache{};
+    NearCache cache{};
 };
 
 std::vector<Pair> pairs_at(double gap, const SrShape& shape, int count = 500) {
@@ -79,7 +79,8 @@ void kernel(benchmark::State& state, double gap, Known known) {
     std::size_t listed = 0;
     for (Pair& p : pairs) {
         const PairContact c =
-            collide(shape, shape, p.state, contact_law, 1e-7, {p.history, p.cache, scratch, 1.0});
+            collide(shape, shape,
+                    PatchCall{p.state, contact_law, 1e-7, {p.history, p.cache}, 1.0, {&scratch}});
         touching += c.points;
         listed += p.cache.count;
     }
@@ -89,7 +90,8 @@ void kernel(benchmark::State& state, double gap, Known known) {
         k = k + 1 == pairs.size() ? 0 : k + 1;
         if (known == Known::nothing) p.cache.listed_until = 0.0;
         benchmark::DoNotOptimize(
-            collide(shape, shape, p.state, contact_law, 1e-7, {p.history, p.cache, scratch, 1.0}));
+            collide(shape, shape,
+                    PatchCall{p.state, contact_law, 1e-7, {p.history, p.cache}, 1.0, {&scratch}}));
     }
     state.counters["touching"] = static_cast<double>(touching) / 500.0;
     state.counters["listed"] = static_cast<double>(listed) / 500.0;

@@ -74,7 +74,7 @@ Bed sphere_bed(const Settings& s) {
 // 250 candies as in the packing of [SR] Sec. 3.3, or any number in a vessel as deep.
 Bed candy_bed(const Settings& s, ContactLaw::Method method) {
     ContactLaw options;
-    options.method = method;
+    options.geometry.method = method;
     Scene scene = scenes::one_material({5e7, 1377.0, 0.5, 0.3, options});
     scenes::add_kind(scene, scenes::candy());
     const double radius = 25.4e-3 * std::sqrt(s.count / 250.0);

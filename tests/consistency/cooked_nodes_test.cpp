@@ -47,17 +47,19 @@ struct Remembered {
     PatchHistory patch{};
     PointHistory point{};
     MissCache miss{};
-    NodeCache cache{};
+    NearCache cache{};
     ContactScratch scratch;
 
     explicit Remembered(const SrShape& shape) : scratch(shape.nodes.nodes.size()) {}
-    NodeMemory nodes() { return {patch, cache, scratch, 0.0}; }
+    PatchCall call(const PairState& pair, const ContactLaw& law, double dt) {
+        return {pair, law, dt, {patch, cache}, 0.0, {&scratch}};
+    }
 };
 
 /// Overlaps by nodes are those of the deepest node.
 ContactLaw law() {
     ContactLaw options;
-    options.multi_contact = ContactLaw::MultiContact::deepest;
+    options.geometry.multi_contact = ContactLaw::MultiContact::deepest;
     return pair_law({5e7, 0.3}, {5e7, 0.3}, 1.0, options);
 }
 
@@ -87,8 +89,8 @@ TEST(CookedNodes, TheKernelTouchesWithTheNodesThatAWalkOverAllFinds) {
                 });
                 Remembered remembered(a);
                 ContactLaw sum = law();
-                sum.multi_contact = ContactLaw::MultiContact::sum;
-                const PairContact c = collide(a, b, pair, sum, 1e-6, remembered.nodes());
+                sum.geometry.multi_contact = ContactLaw::MultiContact::sum;
+                const PairContact c = collide(a, b, remembered.call(pair, sum, 1e-6));
                 ASSERT_EQ(c.points, inside.size());
                 for (std::size_t n = 0; n < inside.size(); ++n)
                     ASSERT_EQ(remembered.scratch[n].feature, inside[n]);
@@ -110,13 +112,13 @@ TEST(CookedNodes, TheOverlapOfConvexShapesIsThatOfTheCommonNormalUpToTheSpacingO
         const PairState pair = random_pair(fine, fine, random);
         Remembered exact(fine);
         const PairContact c =
-            collide(fine, fine, pair, law(), 1e-6, ContactMemory{exact.point, exact.miss});
+            collide(fine, fine, Call{pair, law(), 1e-6, Memory{exact.point, exact.miss}});
         if (c.overlap < 2e-4 || c.overlap > 8e-4) continue;
         ++touching;
         Remembered by_few(coarse);
         Remembered by_many(fine);
-        const PairContact few = collide(coarse, coarse, pair, law(), 1e-6, by_few.nodes());
-        const PairContact many = collide(fine, fine, pair, law(), 1e-6, by_many.nodes());
+        const PairContact few = collide(coarse, coarse, by_few.call(pair, law(), 1e-6));
+        const PairContact many = collide(fine, fine, by_many.call(pair, law(), 1e-6));
         EXPECT_LT(few.overlap, c.overlap + 2e-6);
         EXPECT_LT(many.overlap, c.overlap + 2e-6);
         EXPECT_GT(many.force.normalized().dot(c.force.normalized()), 0.98);
@@ -141,8 +143,8 @@ TEST(CookedNodes, AWallFeelsTheSameOverlapByNodesAndBySupport) {
         Remembered exact(shape);
         Remembered by_nodes(shape);
         const PairContact c =
-            collide(shape, PlaneWall{}, pair, law(), 1e-6, ContactMemory{exact.point, exact.miss});
-        const PairContact n = collide(shape, PlaneWall{}, pair, law(), 1e-6, by_nodes.nodes());
+            collide(shape, PlaneWall{}, Call{pair, law(), 1e-6, Memory{exact.point, exact.miss}});
+        const PairContact n = collide(shape, PlaneWall{}, by_nodes.call(pair, law(), 1e-6));
         if (c.overlap > 2e-5) {
             EXPECT_NEAR(n.overlap, c.overlap, 1.5e-5);
         }

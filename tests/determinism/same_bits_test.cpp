@@ -97,7 +97,7 @@ void pour_into_turning_vessel(Scene& scene, std::uint32_t count, std::uint32_t k
 // Candies, peanuts and spheres fall into a vessel that turns: every pair of kinds.
 Scene mixture(ContactLaw::Method method) {
     ContactLaw options;
-    options.method = method;
+    options.geometry.method = method;
     Scene scene = scenes::one_material({2e7, 1400.0, 0.5, 0.3, options});
     static const ParticleTemplate candy = scenes::candy(600);  // slow to make
     static const ParticleTemplate peanut = scenes::peanut(600);

@@ -5,6 +5,7 @@
 #include "runtime/contact/pairs/clump_wall.hpp"
 #include "runtime/contact/pairs/sphere_wall.hpp"
 #include "tests/physics/two_bodies.hpp"
+#include "tests/runtime/contact/memory_of.hpp"
 #include "tests/runtime/contact/sample_clumps.hpp"
 
 #include <cmath>
@@ -19,11 +20,13 @@ const Elasticity rubber{5e7, 0.29};
 /// What the host owns for a pair.
 struct Host {
     PatchHistory history{};
-    NodeCache cache{};
+    NearCache cache{};
     ContactScratch scratch = ContactScratch(20000);
     double travel = 0.0;
 
-    NodeMemory memory() { return {history, cache, scratch, travel}; }
+    PatchCall call(const PairState& pair, const ContactLaw& law, double dt) {
+        return {pair, law, dt, {history, cache}, travel, {&scratch}};
+    }
 };
 
 InverseInertia candy_inertia() {
@@ -50,7 +53,7 @@ Impact central_impact(const Clump& clump, double height, double e, double dt = 2
         host.travel +=
             1.01 * dt * (bodies.i.velocity.norm() + 7e-3 * bodies.i.angular_velocity().norm());
         bodies.step(dt, [&](const PairState& pair, double h) {
-            return collide(clump, PlaneWall{}, pair, law, h, host.memory());
+            return collide(clump, PlaneWall{}, host.call(pair, law, h));
         });
         if (bodies.contact.touches())
             impact.duration += dt;
@@ -102,10 +105,10 @@ TEST(ClumpCollision, AClumpOfOneSphereBouncesAsThatSphereDoes) {
         travel += 1e-6;
         host.travel = travel;
         a.step(1e-6, [&](const PairState& pair, double dt) {
-            return collide(clump, PlaneWall{}, pair, law, dt, host.memory());
+            return collide(clump, PlaneWall{}, host.call(pair, law, dt));
         });
         b.step(1e-6, [&](const PairState& pair, double dt) {
-            return collide(Sphere{radius}, PlaneWall{}, pair, law, dt, history);
+            return collide(Sphere{radius}, PlaneWall{}, Call{pair, law, dt, memory_of(history)});
         });
     }
     EXPECT_FALSE(a.contact.touches());
@@ -143,7 +146,7 @@ TEST(ClumpCollision, AnElasticBounceKeepsTheEnergy) {
                 1.01 * dt * (bodies.i.velocity.norm() + bodies.j.velocity.norm() + 6.6e-3 * spin);
             bodies.step(dt, [&](const PairState& pair, double h) -> PairContact {
                 if (cannot_touch(host.cache, host.travel)) return {};
-                return collide(clump, clump, pair, law, h, host.memory());
+                return collide(clump, clump, host.call(pair, law, h));
             });
             if (touched && !bodies.contact.touches()) break;
             touched = touched || bodies.contact.touches();

@@ -209,11 +209,10 @@ Spinning spin(const ContactLaw& law, double tilt, double rate, double seconds) {
         std::pow(weight / (4.0 / 3.0 * law.youngs_modulus * std::sqrt(2.5e-3)), 2.0 / 3.0);
     const double height = std::hypot(5e-3 * std::sin(tilt), 2.5e-3 * std::cos(tilt));
     b.i.position.z() = height - sunk;
-    SmoothHost host;
+    Host<PointHistory, MissCache> host;
     const auto step = [&] {
         b.step(5e-6, [&](const PairState& pair, double dt) {
-            return collide(solid.shape, PlaneWall{}, pair, law, dt,
-                           ContactMemory{host.history, host.miss});
+            return collide(solid.shape, PlaneWall{}, host.call(pair, law, dt));
         });
     };
     const auto energy = [&] { return b.mechanical_energy() + weight * b.i.position.z(); };
@@ -227,8 +226,8 @@ Spinning spin(const ContactLaw& law, double tilt, double rate, double seconds) {
     }
     found.loss = (before - energy()) / kinetic;
     found.radius = host.history.effective_radius;
-    SmoothHost anew;
-    collide(solid.shape, PlaneWall{}, b.pair(), law, 0.0, ContactMemory{anew.history, anew.miss});
+    Host<PointHistory, MissCache> anew;
+    collide(solid.shape, PlaneWall{}, anew.call(b.pair(), law, 0.0));
     found.local_radius = anew.history.effective_radius;
     return found;
 }

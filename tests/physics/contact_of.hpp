@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "runtime/contact/pairs/clump_clump.hpp"
-#include "runtime/contact/pairs/clump_wall.hpp"
-#include "runtime/contact/pairs/convex_convex.hpp"
-#include "runtime/contact/pairs/convex_wall.hpp"
-#include "runtime/contact/pairs/sphere_sphere.hpp"
-#include "runtime/contact/pairs/sphere_wall.hpp"
-#include "runtime/contact/pairs/sr_sr_continuous.hpp"
-#include "runtime/contact/pairs/sr_sr_nodes.hpp"
-#include "runtime/contact/pairs/sr_wall.hpp"
-#include "runtime/contact/pairs/sr_wall_nodes.hpp"
+#include "runtime/contact/cores/features.hpp"
+#include "runtime/contact/pairs/pair_table.hpp"
 
 #include <functional>
 
@@ -21,64 +13,51 @@ namespace dem::test {
 /// A contact with all that it remembers; a copy has a memory of its own.
 using Contact = std::function<PairContact(const PairState&, double dt)>;
 
-struct SmoothHost {
-    PointHistory history{};
-    MissCache miss{};
-};
-
-struct PointsHost {
-    PatchHistory history{};
-    NodeCache cache{};
-    ContactScratch scratch = ContactScratch(20'000);
+/// What a host keeps for one pair.
+template <class History, class Cache>
+struct Host {
+    History history{};
+    Cache cache{};
+    ContactScratch points = ContactScratch(20'000);
+    ConvexScratch features{};
     double travel = 0.0;
 
-    /// As if some point had moved by `way` since the step before [m].
-    NodeMemory memory(double way) {
-        travel += way;
-        return {history, cache, scratch, travel};
+    /// No point of a body moves farther than this in a step of a test [m].
+    static constexpr double longest_way = 1e-4;
+
+    Call<History, Cache> call(const PairState& pair, const ContactLaw& law, double dt) {
+        travel += longest_way;
+        return {pair, law, dt, {history, cache}, travel, {&points, &features}};
     }
 };
-/// No point of a body moves farther than this in a step of a test [m].
-inline constexpr double longest_way = 1e-4;
 
-struct ConvexHost {
-    ConvexHistory history{};
-    MissCache miss{};
-    ConvexScratch scratch{};
-
-    ConvexMemory memory() { return {history, miss, scratch}; }
-};
-
-/// A contact of two shapes that takes its memory from a host.
-template <class A, class B, class Host, class Remember>
-Contact contact_of(const A& a, const B& b, const ContactLaw& law, Host host, Remember remember) {
-    return [=](const PairState& pair, double dt) mutable {
-        return collide(a, b, pair, law, dt, remember(host));
+/// A contact of two shapes that a host remembers.
+template <class Host, class A, class B>
+Contact contact_of(const A& a, const B& b, const ContactLaw& law) {
+    return [=, host = Host{}](const PairState& pair, double dt) mutable {
+        return collide(a, b, host.call(pair, law, dt));
     };
 }
 
 /// Spheres and walls.
 template <class A, class B>
 Contact by_sphere(const A& a, const B& b, const ContactLaw& law) {
-    return contact_of(a, b, law, PointHistory{},
-                      [](PointHistory& h) -> PointHistory& { return h; });
+    return contact_of<Host<PointHistory, NoCache>>(a, b, law);
 }
 /// Convex surfaces of revolution.
 template <class A, class B>
 Contact by_support(const A& a, const B& b, const ContactLaw& law) {
-    return contact_of(a, b, law, SmoothHost{}, [](SmoothHost& h) {
-        return ContactMemory{h.history, h.miss};
-    });
+    return contact_of<Host<PointHistory, MissCache>>(a, b, law);
 }
 /// Nodes, and spheres of clumps.
 template <class A, class B>
 Contact by_points(const A& a, const B& b, const ContactLaw& law) {
-    return contact_of(a, b, law, PointsHost{}, [](PointsHost& h) { return h.memory(longest_way); });
+    return contact_of<Host<PatchHistory, NearCache>>(a, b, law);
 }
 /// Convex shapes.
 template <class A, class B>
 Contact by_cores(const A& a, const B& b, const ContactLaw& law) {
-    return contact_of(a, b, law, ConvexHost{}, [](ConvexHost& h) { return h.memory(); });
+    return contact_of<Host<ConvexHistory, MissCache>>(a, b, law);
 }
 
 }  // namespace dem::test

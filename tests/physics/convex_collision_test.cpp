@@ -33,7 +33,9 @@ struct Host {
     MissCache miss{};
     ConvexScratch scratch{};
 
-    ConvexMemory memory() { return {history, miss, scratch}; }
+    CoreCall call(const PairState& pair, const ContactLaw& law, double dt) {
+        return {pair, law, dt, {history, miss}, 0.0, {nullptr, &scratch}};
+    }
 };
 
 struct Energies {
@@ -99,7 +101,7 @@ Energies bounces(const Combination& pair, const ContactLaw& law, int wanted, dou
             // Far away the bodies only fly.
             const bool is_far = !touched && host.miss.gap > 0.05 * size;
             bodies.step(is_far ? host.miss.gap / 0.8 : dt, [&](const PairState& state, double h) {
-                return collide(pair.a.shape, pair.b.shape, state, law, h, host.memory());
+                return collide(pair.a.shape, pair.b.shape, host.call(state, law, h));
             });
             touched = touched || bodies.contact.touches();
             const double distance = (bodies.j.position - bodies.i.position).norm();
@@ -161,7 +163,7 @@ TwoBodies on_a_plane(const ConvexSolid& solid, TwoBodies bodies, const ContactLa
     const double dt = 0.02 * collision_time(law, 1.0 / bodies.i.inverse.mass);
     for (int step = 0; step < static_cast<int>(seconds / dt); ++step) {
         bodies.step(dt, [&](const PairState& state, double h) {
-            return collide(solid.shape, PlaneWall{}, state, law, h, host.memory());
+            return collide(solid.shape, PlaneWall{}, host.call(state, law, h));
         });
     }
     return bodies;
@@ -213,7 +215,7 @@ TEST(ConvexCollision, FrictionOfAWanderingPatchMakesNoEnergy) {
             double climb = 0.0;
             for (int step = 0; step < static_cast<int>(4e-3 / dt); ++step) {
                 bodies.step(dt, [&](const PairState& state, double h) {
-                    return collide(box.shape, box.shape, state, law, h, host.memory());
+                    return collide(box.shape, box.shape, host.call(state, law, h));
                 });
                 const double energy = bodies.mechanical_energy();
                 least = std::min(least, energy);
@@ -239,7 +241,7 @@ double restitution(const Vec3& down_body, const ContactLaw& law, double dt, doub
     bool touched = false;
     for (int step = 0; step < 100'000; ++step) {
         bodies.step(dt, [&](const PairState& state, double h) {
-            return collide(cube.shape, PlaneWall{}, state, law, h, host.memory());
+            return collide(cube.shape, PlaneWall{}, host.call(state, law, h));
         });
         if (touched && !bodies.contact.touches()) break;
         touched = touched || bodies.contact.touches();
@@ -287,7 +289,7 @@ TwoBodies settle(const ConvexSolid& solid, TwoBodies bodies, double seconds, dou
     const double dt = 5e-6;
     for (int step = 0; step < static_cast<int>(seconds / dt); ++step) {
         bodies.step(dt, [&](const PairState& state, double h) {
-            return collide(solid.shape, PlaneWall{}, state, law, h, host.memory());
+            return collide(solid.shape, PlaneWall{}, host.call(state, law, h));
         });
     }
     return bodies;

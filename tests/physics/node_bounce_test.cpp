@@ -30,16 +30,18 @@ ContactLaw elastic_law(ContactLaw options = {}) {
 /// What the host owns for a pair, and the travel it counts.
 struct Host {
     PatchHistory history{};
-    NodeCache cache{};
+    NearCache cache{};
     ContactScratch scratch;
     double travel = 0.0;
 
     explicit Host(std::uint32_t nodes) : scratch(nodes) {}
-    NodeMemory memory() { return {history, cache, scratch, travel}; }
+    PatchCall call(const PairState& pair, const ContactLaw& law, double dt) {
+        return {pair, law, dt, {history, cache}, travel, {&scratch}};
+    }
 };
 
 /// Relative change of the kinetic energy of a bounce between two bodies that fly at each other at
-/// 0.2 m/s, at random attitudes and off centre. Sets `touched`.
+/// 0.2 m/s, at random attitudes and off center. Sets `touched`.
 template <class Collide>
 double energy_error(const SrShape& a, const SrShape& b, Random& random, bool& touched,
                     const Collide& collide_pair) {
@@ -65,7 +67,7 @@ double energy_error(const SrShape& a, const SrShape& b, Random& random, bool& to
         host.travel += 1.01 * dt * (bodies.i.velocity.norm() + bodies.j.velocity.norm() + spin);
         bodies.step(dt, [&](const PairState& pair, double h) -> PairContact {
             if (cannot_touch(host.cache, host.travel)) return {};
-            return collide_pair(pair, h, host.memory());
+            return collide_pair(pair, h, host);
         });
         touched = touched || bodies.contact.touches();
         const bool parting =
@@ -82,9 +84,9 @@ double mean_energy_error(const SrShape& a, const SrShape& b, const ContactLaw& l
     double sum = 0.0;
     for (int n = 0; n < pairs;) {
         bool touched = false;
-        const double error = energy_error(
-            a, b, random, touched, [&](const PairState& pair, double dt, const NodeMemory& memory) {
-                return collide(a, b, pair, law, dt, memory);
+        const double error =
+            energy_error(a, b, random, touched, [&](const PairState& pair, double dt, Host& host) {
+                return collide(a, b, host.call(pair, law, dt));
             });
         if (!touched) continue;
         sum += error;
@@ -115,7 +117,7 @@ TEST_F(NodeBounce, AlongTheGradientOfTheInterpolantEnergyIsKept) {
 TEST_F(NodeBounce, EveryOtherDirectionOfTheForceChangesTheEnergyMuchMore) {
     const auto error = [](ContactLaw::NodeNormal rule) {
         ContactLaw options;
-        options.node_normal = rule;
+        options.geometry.node_normal = rule;
         return mean_energy_error(shape(0), shape(0), elastic_law(options), 30);
     };
     using NodeNormal = ContactLaw::NodeNormal;

@@ -43,14 +43,14 @@ TEST(NodeRest, ASharpCylinderStandsOnASlopeThatFrictionHoldsByTheTwentiethPart) 
         bodies.i.inverse = inverse_inertia(mass, {across, across, 0.5 * mass * square(radius)});
         bodies.i.position.z() = 0.5 * height;
         PatchHistory history;
-        NodeCache cache;
+        NearCache cache;
         ContactScratch scratch(cylinder.nodes.count);
-        const NodeMemory memory{history, cache, scratch, 0.0};
         const double dt = 1.2e-5;
         for (int step = 0; step < 40'000; ++step) {
             cache = {};  // no list is trusted: the test keeps no count of the way
             bodies.step(dt, [&](const PairState& pair, double h) {
-                return collide(cylinder, PlaneWall{}, pair, law, h, memory);
+                return collide(cylinder, PlaneWall{},
+                               PatchCall{pair, law, h, {history, cache}, 0.0, {&scratch}});
             });
         }
         EXPECT_LT(std::hypot(bodies.i.position.x(), bodies.i.position.y()), 2e-5) << friction;

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/law/pair_law.hpp"
-#include "shapegen/solids/make_convex.hpp"
-#include "tests/physics/contact_of.hpp"
+#include "tests/physics/balls.hpp"
 #include "tests/physics/two_bodies.hpp"
-#include "tests/runtime/contact/convex_shapes.hpp"
-#include "tests/runtime/contact/sample_clumps.hpp"
-#include "tests/runtime/contact/sr_fixture.hpp"
 
-#include <array>
 #include <cmath>
-#include <map>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -18,52 +12,6 @@
 /// dissipates, and the velocities after follow in closed form (Chung and Ooi 2011, test 5).
 namespace dem::test {
 namespace {
-
-/// A sphere as one of the kinds of bodies.
-struct Kind {
-    const char* name;
-    Contact (*on_plane)(double radius, const ContactLaw& law);
-    Contact (*of_pair)(double radius_i, double radius_j, const ContactLaw& law);
-};
-
-const SrShape& noded(double radius) {
-    static std::map<double, SrShape> shapes;
-    const auto known = shapes.find(radius);
-    if (known != shapes.end()) return known->second;
-    return shapes.emplace(radius, make_sr_shape(spheroid_outline(radius, radius), true, 2000))
-        .first->second;
-}
-
-const std::array<Kind, 5> kinds{
-    {{"sphere",
-      [](double r, const ContactLaw& law) { return by_sphere(Sphere{r}, PlaneWall{}, law); },
-      [](double i, double j, const ContactLaw& law) {
-          return by_sphere(Sphere{i}, Sphere{j}, law);
-      }},
-     {"sr, continuous",
-      [](double r, const ContactLaw& law) {
-          return by_support(round_body(r).shape, PlaneWall{}, law);
-      },
-      [](double i, double j, const ContactLaw& law) {
-          return by_support(round_body(i).shape, round_body(j).shape, law);
-      }},
-     {"sr, nodes",
-      [](double r, const ContactLaw& law) { return by_points(noded(r), PlaneWall{}, law); },
-      [](double i, double j, const ContactLaw& law) { return by_points(noded(i), noded(j), law); }},
-     {"clump",
-      [](double r, const ContactLaw& law) {
-          return by_points(ring_clump(0.0, r, 1), PlaneWall{}, law);
-      },
-      [](double i, double j, const ContactLaw& law) {
-          return by_points(ring_clump(0.0, i, 1), ring_clump(0.0, j, 1), law);
-      }},
-     {"convex",
-      [](double r, const ContactLaw& law) {
-          return by_cores(make_convex_sphere(r).shape, PlaneWall{}, law);
-      },
-      [](double i, double j, const ContactLaw& law) {
-          return by_cores(make_convex_sphere(i).shape, make_convex_sphere(j).shape, law);
-      }}}};
 
 struct Impulses {
     double normal = 0.0, tangential = 0.0;  ///< on i [N s]
@@ -88,12 +36,6 @@ Impulses run_impact(TwoBodies& bodies, double dt, const Contact& contact) {
     }
     ADD_FAILURE() << "the bodies did not part";
     return sum;
-}
-
-InverseInertia ball(double density, double radius) {
-    InverseInertia inverse = solid_sphere(density, radius);
-    inverse.surface = square(radius) * inverse.moments.x();
-    return inverse;
 }
 
 constexpr double density = 7850.0;
@@ -136,7 +78,7 @@ TwoBodies facing(double radius_i, double radius_j) {
 }
 
 TEST(SlidingImpact, FrictionGivesMuTimesTheNormalImpulseOnAPlane) {
-    for (const Kind& kind : kinds) {
+    for (const KindOfBall& kind : kinds_of_ball) {
         for (const double e : {0.2, 0.4, 0.6, 0.8, 1.0}) {
             for (const ContactLaw& law : {rough(e), rough_linear(e)}) {
                 TwoBodies b = above_a_plane(0.025);
@@ -153,7 +95,7 @@ TEST(SlidingImpact, FrictionGivesMuTimesTheNormalImpulseOnAPlane) {
 }
 
 TEST(SlidingImpact, FrictionGivesMuTimesTheNormalImpulseBetweenSpheres) {
-    for (const Kind& kind : kinds) {
+    for (const KindOfBall& kind : kinds_of_ball) {
         for (const auto& [r_i, r_j] : {std::pair{0.025, 0.025}, {0.025, 0.015}}) {
             for (const double e : {0.2, 0.4, 0.6, 0.8, 1.0}) {
                 TwoBodies b = facing(r_i, r_j);
@@ -176,12 +118,12 @@ TEST(SlidingImpact, ASpinningBallLeavesWithCoulombsSpeed) {
     TwoBodies b = above_a_plane(0.025);
     b.i.velocity = {0.0, 0.0, -0.2};
     b.i.angular_momentum = Vec3(0.0, 60.0, 0.0).cwiseQuotient(b.i.inverse.moments);
-    run_impact(b, 1.2e-7, kinds[0].on_plane(0.025, law));
+    run_impact(b, 1.2e-7, kinds_of_ball[0].on_plane(0.025, law));
     EXPECT_NEAR(b.i.velocity.x(), 0.12, 2e-5);
 }
 
 TEST(SlidingImpact, FrictionKeepsToCoulombWhereTheForceMayNotPull) {
-    for (const Kind& kind : kinds) {
+    for (const KindOfBall& kind : kinds_of_ball) {
         for (const double e : {0.3, 0.7}) {
             ContactLaw law = rough(e);
             law.limit_force = true;
@@ -192,7 +134,7 @@ TEST(SlidingImpact, FrictionKeepsToCoulombWhereTheForceMayNotPull) {
     }
 }
 
-/// A cube on a plane with a face, sunk in by a micrometre, parting, sliding and spinning.
+/// A cube on a plane with a face, sunk in by a micrometer, parting, sliding and spinning.
 PairContact parting_cube(const ContactLaw& law) {
     TwoBodies b;
     b.i.inverse = inverse_inertia(1.0, Vec3::Constant(1e-4));

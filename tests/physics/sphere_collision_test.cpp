@@ -4,6 +4,7 @@
 #include "runtime/contact/pairs/sphere_sphere.hpp"
 #include "runtime/contact/pairs/sphere_wall.hpp"
 #include "tests/physics/two_bodies.hpp"
+#include "tests/runtime/contact/memory_of.hpp"
 
 #include <array>
 #include <tuple>
@@ -58,7 +59,7 @@ TEST_P(ChungOoiSpheres, HeadOnImpactGivesTheHertzExtremes) {
     const ContactLaw law = pair_law(material, material, 1.0);
     PointHistory history;
     const Extremes e = run_collision(b, 1e-8, [&](const PairState& pair, double dt) {
-        return collide(sphere, sphere, pair, law, dt, history);
+        return collide(sphere, sphere, Call{pair, law, dt, memory_of(history)});
     });
     EXPECT_NEAR(e.overlap, expected.overlap, 1e-4 * expected.overlap);
     EXPECT_NEAR(e.force, expected.force, 1e-4 * expected.force);
@@ -86,7 +87,7 @@ TEST_P(ChungOoiPlane, ImpactOnAPlaneGivesTheHertzExtremes) {
     law.youngs_modulus *= 2.0;  // rigid plane
     PointHistory history;
     const Extremes e = run_collision(b, 1e-7, [&](const PairState& pair, double dt) {
-        return collide(sphere, PlaneWall{}, pair, law, dt, history);
+        return collide(sphere, PlaneWall{}, Call{pair, law, dt, memory_of(history)});
     });
     EXPECT_NEAR(e.overlap, expected.overlap, 1e-4 * expected.overlap);
     EXPECT_NEAR(e.force, expected.force, 1e-4 * expected.force);
@@ -110,7 +111,7 @@ TEST(SphereCollision, ReboundHasTheNominalRestitution) {
         const ContactLaw law = pair_law({3.8e11, 0.23}, {3.8e11, 0.23}, std::min(e, 1.0));
         PointHistory history;
         run_collision(b, 1e-9, [&](const PairState& pair, double dt) {
-            return collide(sphere, PlaneWall{}, pair, law, dt, history);
+            return collide(sphere, PlaneWall{}, Call{pair, law, dt, memory_of(history)});
         });
         EXPECT_NEAR(b.i.velocity.z() / 3.9, std::min(e, 1.0), 2e-3);
     }
@@ -128,7 +129,7 @@ TEST(SphereCollision, CuttingThePullRaisesTheRestitutionAsDocumented) {
         law.limit_force = true;
         PointHistory history;
         run_collision(b, 1e-7, [&](const PairState& pair, double dt) {
-            return collide(sphere, PlaneWall{}, pair, law, dt, history);
+            return collide(sphere, PlaneWall{}, Call{pair, law, dt, memory_of(history)});
         });
         EXPECT_NEAR(b.i.velocity.z(), measured, 1.5e-3);
     }
@@ -144,7 +145,7 @@ TEST(SphereCollision, AnElasticContactLastsTheCollisionPhaseAtAnySpeed) {
         double phase = 0.0;
         const double dt = 2e-7;
         run_collision(b, dt, [&](const PairState& pair, double h) {
-            const PairContact c = collide(sphere, sphere, pair, law, h, history);
+            const PairContact c = collide(sphere, sphere, Call{pair, law, h, memory_of(history)});
             if (c.touches()) phase = history.phase;
             return c;
         });
@@ -174,7 +175,7 @@ TEST(SphereCollision, SlidingSphereStartsRollingWhenItShould) {
     double rolling_since = -1.0;
     for (int k = 0; k < 20'000; ++k) {
         b.step(dt, [&](const PairState& pair, double h) {
-            return collide(sphere, PlaneWall{}, pair, law, h, history);
+            return collide(sphere, PlaneWall{}, Call{pair, law, h, memory_of(history)});
         });
         if (rolling_since < 0.0 && slip() < 1e-3 * v0) rolling_since = (k + 1) * dt;
     }
@@ -206,7 +207,7 @@ TEST(SphereCollision, ObliqueImpactConvergesAsTheStepShrinks) {
             TwoBodies b = oblique_pair(seed);
             PointHistory history;
             run_collision(b, k == 0 ? 1e-6 : 2e-8, [&](const PairState& pair, double dt) {
-                return collide(sphere, sphere, pair, law, dt, history);
+                return collide(sphere, sphere, Call{pair, law, dt, memory_of(history)});
             });
             out[static_cast<std::size_t>(k)] = b.i.velocity;
         }
@@ -231,7 +232,7 @@ TEST(SphereCollision, MomentumAndAngularMomentumAreKept) {
         const Vec3 l = angular();
         PointHistory history;
         run_collision(b, 1e-6, [&](const PairState& pair, double dt) {
-            return collide(sphere, sphere, pair, law, dt, history);
+            return collide(sphere, sphere, Call{pair, law, dt, memory_of(history)});
         });
         EXPECT_LT((momentum() - p).norm(), 1e-13 * mass);
         EXPECT_LT((angular() - l).norm(), 1e-12 * l.norm());
@@ -251,10 +252,10 @@ TEST(SphereCollision, SwappingThePairFlipsSignsOnly) {
         PointHistory h2;
         for (int k = 0; k < 200; ++k) {
             b.step(1e-6, [&](const PairState& pair, double dt) {
-                return collide(sphere, sphere, pair, law, dt, h1);
+                return collide(sphere, sphere, Call{pair, law, dt, memory_of(h1)});
             });
             swapped.step(1e-6, [&](const PairState& pair, double dt) {
-                return collide(sphere, sphere, pair, law, dt, h2);
+                return collide(sphere, sphere, Call{pair, law, dt, memory_of(h2)});
             });
         }
         EXPECT_LT((b.i.velocity - swapped.j.velocity).norm(), 1e-12);
@@ -271,7 +272,7 @@ double ledger_error(std::uint64_t seed, double dt, const ContactLaw& law) {
     double worst = 0.0;
     PointHistory history;
     run_collision(b, dt, [&](const PairState& pair, double h) {
-        return collide(sphere, sphere, pair, law, h, history);
+        return collide(sphere, sphere, Call{pair, law, h, memory_of(history)});
     });
     worst = std::max(worst, std::abs(b.mechanical_energy() + b.dissipated - start));
     return worst / start;

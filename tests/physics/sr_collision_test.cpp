@@ -44,7 +44,7 @@ TEST_P(ElasticBounce, KeepsTheKineticEnergy) {
         b.i = at_random(solid, 1200.0, random);
         b.j = at_random(solid, 1200.0, random);
         const Vec3 direction = random.direction();
-        // Off the line of centres by up to a third of the size, just out of reach.
+        // Off the line of centers by up to a third of the size, just out of reach.
         const Vec3 offset = 0.33 * solid.shape.bounding_radius * random.uniform() *
                             random.direction().cross(direction);
         double distance = 2.05 * solid.shape.bounding_radius;
@@ -52,7 +52,7 @@ TEST_P(ElasticBounce, KeepsTheKineticEnergy) {
         MissCache miss;
         for (;;) {
             b.j.position = distance * direction + offset;
-            collide(solid.shape, solid.shape, b.pair(), law, 0.0, ContactMemory{history, miss});
+            collide(solid.shape, solid.shape, Call{b.pair(), law, 0.0, Memory{history, miss}});
             if (miss.gap < 1e-5) break;
             distance -= 0.9 * miss.gap;
         }
@@ -60,7 +60,7 @@ TEST_P(ElasticBounce, KeepsTheKineticEnergy) {
         b.j.velocity = -0.1 * direction;
         const double before = b.kinetic_energy();
         run_until_apart(b, 1e-6, [&](const PairState& pair, double dt) {
-            return collide(solid.shape, solid.shape, pair, law, dt, ContactMemory{history, miss});
+            return collide(solid.shape, solid.shape, Call{pair, law, dt, Memory{history, miss}});
         });
         sum += std::abs(b.kinetic_energy() / before - 1.0);
     }
@@ -100,7 +100,7 @@ TEST(SharpCylinders, KeepTheirEnergyWhereAnEdgeSlipsOffAnother) {
     int touching_steps = 0;
     for (int step = 0; step < 30'000; ++step) {
         b.step(2e-6, [&](const PairState& pair, double dt) {
-            return collide(solid.shape, solid.shape, pair, law, dt, ContactMemory{history, miss});
+            return collide(solid.shape, solid.shape, Call{pair, law, dt, Memory{history, miss}});
         });
         touching_steps += b.contact.touches() ? 1 : 0;
     }
@@ -146,12 +146,12 @@ TEST(TabletOnPlane, ReboundFollowsTheRigidBodyAtTwentyAngles) {
         PointHistory history;
         MissCache miss;
         b.i.position.z() = 8e-3;
-        collide(solid.shape, PlaneWall{}, b.pair(), law, 0.0, ContactMemory{history, miss});
+        collide(solid.shape, PlaneWall{}, Call{b.pair(), law, 0.0, Memory{history, miss}});
         b.i.position.z() -= miss.gap;
-        collide(solid.shape, PlaneWall{}, b.pair(), law, 0.0, ContactMemory{history, miss});
+        collide(solid.shape, PlaneWall{}, Call{b.pair(), law, 0.0, Memory{history, miss}});
         b.i.position.z() += -miss.gap + 1e-8;
         run_until_apart(b, 1e-7, [&](const PairState& pair, double dt) {
-            return collide(solid.shape, PlaneWall{}, pair, law, dt, ContactMemory{history, miss});
+            return collide(solid.shape, PlaneWall{}, Call{pair, law, dt, Memory{history, miss}});
         });
         // Relative to the change of velocity (1 + e) V and to the largest spin of all angles.
         const double error_v = std::abs(b.i.velocity.z() + speed) / (1.0 + e);

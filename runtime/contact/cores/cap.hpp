@@ -75,8 +75,8 @@ struct ConvexCap {
 void collect_vertices(const PlacedCore& core, const Vec3& direction, double depth,
                       std::uint32_t start, ConvexCap& cap);
 
-/// The same, and the edges that begin there with the ball. All points of the cap lie between its
-/// vertices and the places where its edges leave it.
+/// Finds those vertices, the edges that begin there, and the ball. All points of the cap lie
+/// between its vertices and the places where its edges leave it.
 void collect_cap(const PlacedCore& core, const Vec3& direction, double depth, std::uint32_t start,
                  ConvexCap& cap);
 

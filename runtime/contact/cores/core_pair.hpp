@@ -14,23 +14,6 @@
 /// From two cores to a contact: what all kernels of convex shapes share.
 namespace dem {
 
-/// What a kernel was called with, besides the shapes.
-struct ConvexCall {
-    const PairState& pair;
-    const ContactLaw& law;
-    double dt;
-    const ConvexMemory& memory;
-};
-
-/// For bodies that are apart by a proven gap [m], along `axis` from i to j if there is one.
-inline PairContact keep_apart(const ConvexMemory& memory, double gap,
-                              const Vec3& axis = Vec3::Zero()) {
-    if (memory.history.effective_radius > 0.0) memory.history = {};
-    memory.miss.axis = axis;
-    memory.miss.gap = gap;
-    return {};
-}
-
 /// The search of a pair that has not touched starts from the line of centers, whatever came before.
 inline SearchStart canonical_start(const Vec3& displacement) {
     const double distance = displacement.norm();
@@ -41,7 +24,7 @@ inline SearchStart canonical_start(const Vec3& displacement) {
 
 /// A pair that touches in one point.
 inline PairContact single_contact(const FeaturePoint& point, const ConvexRadius& radius,
-                                  const ConvexCall& call) {
+                                  const CoreCall& call) {
     FeatureSum features(call.pair, point.overlap);
     features.add(point, 1.0);
     return contact_force(features, radius.value(), call.law, call.dt, call.memory.history);
@@ -113,13 +96,13 @@ ConvexTouch touch_of(const CoreI& i, const CoreJ& j, const CoreDistance& found) 
 /// Bodies of which one has no flat part touch in one point.
 template <class CoreI, class CoreJ>
 void add_features(const CoreI& /*i*/, const CoreJ& /*j*/, const ConvexTouch& touch,
-                  const ConvexMemory& /*memory*/, FeatureSum& features) {
+                  const CoreCall& /*call*/, FeatureSum& features) {
     features.add(touch.point, 1.0);
 }
 
 inline void add_features(const PlacedCore& i, const PlacedCore& j, const ConvexTouch& touch,
-                         const ConvexMemory& memory, FeatureSum& features) {
-    ConvexScratch& scratch = memory.scratch;
+                         const CoreCall& call, FeatureSum& features) {
+    ConvexScratch& scratch = *call.scratch.features;
     if (i.shape.is_strictly_convex() || j.shape.is_strictly_convex()) {
         features.add(touch.point, 1.0);
     } else if (i.has_vertices() && j.has_vertices() && touch.near.cores_overlap) {
@@ -128,14 +111,14 @@ inline void add_features(const PlacedCore& i, const PlacedCore& j, const ConvexT
         add_polyhedra(i, j, touch.near, scratch, others);
         add_remaining(touch.point, others, features);
     } else if (i.has_vertices() && j.has_vertices()) {
-        LoneFeature& lone = memory.history.lone;
-        Leash& leash = memory.history.leash;
+        LoneFeature& lone = call.memory.history.lone;
+        Leash& leash = call.memory.history.leash;
         if (!add_lone_feature(i, j, touch.near, features, lone, leash))
             add_polyhedra(i, j, touch.near, scratch, features);
         if (features.count() == 1 && lone.kind == LoneFeature::Kind::none)
             look_for_lone_feature(i, j, features.pair(), touch.near, scratch, lone, leash);
     } else {
-        add_round(i, j, touch.near, touch.point, memory, features);
+        add_round(i, j, touch.near, touch.point, call, features);
     }
 }
 
@@ -153,11 +136,11 @@ inline FeaturePoint centroid_point(const PlacedCore& i, const PlacedCore& j,
 /// A feature that is known to be the only one: nothing is searched. False if there is none.
 template <class CoreI, class CoreJ>
 bool is_lone_contact(const CoreI& /*i*/, const CoreJ& /*j*/, const ConvexRadius& /*radius*/,
-                     const ConvexCall& /*call*/, PairContact& /*contact*/) {
+                     const CoreCall& /*call*/, PairContact& /*contact*/) {
     return false;
 }
 inline bool is_lone_contact(const PlacedCore& i, const PlacedCore& j, const ConvexRadius& radius,
-                            const ConvexCall& call, PairContact& contact) {
+                            const CoreCall& call, PairContact& contact) {
     ConvexHistory& history = call.memory.history;
     const Vec3 normal = history.normal;
     const double overlap = lone_overlap(i, j, history.lone, normal);
@@ -175,36 +158,35 @@ inline bool is_lone_contact(const PlacedCore& i, const PlacedCore& j, const Conv
 
 template <class CoreI, class CoreJ>
 PairContact core_contact(const CoreI& i, const CoreJ& j, const ConvexRadius& radius,
-                         const ConvexCall& call) {
-    const ConvexMemory& memory = call.memory;
-    ConvexHistory& history = memory.history;
+                         const CoreCall& call) {
+    ConvexHistory& history = call.memory.history;
     const Vec3& d = call.pair.displacement;
     const double reach = i.rounding + j.rounding;
-    const bool touched = history.effective_radius > 0.0;
+    const bool touched = history.touched();
     PairContact lone;
     if (history.leash.room > 0.0 && !holds(history.leash, call.pair, j.size)) {
         history.leash.room = 0.0;
         history.lone.kind = LoneFeature::Kind::none;
     }
     if (touched && is_lone_contact(i, j, radius, call, lone)) return lone;
-    if (!touched && Vec3(memory.miss.axis).squaredNorm() > 0.0) {
-        const Vec3 axis = memory.miss.axis;
+    if (!touched && Vec3(call.memory.cache.axis).squaredNorm() > 0.0) {
+        const Vec3 axis = call.memory.cache.axis;
         const double gap = -axis.dot(gjk::support(i, j, axis, 0, 0).w) - reach;
-        if (gap > 0.0) return keep_apart(memory, gap, axis);
+        if (gap > 0.0) return apart(call, gap, axis);
     }
     CoreDistance found =
         core_distance(i, j, touched ? history.search : canonical_start(d), distance_error(i, j));
     if (!found.overlaps && (found.proven >= reach || found.distance >= reach))
-        return keep_apart(memory, std::max(found.proven - reach, 0.0), -found.normal);
+        return apart(call, std::max(found.proven - reach, 0.0), -found.normal);
     sharpen_single(i, j, found);
     const ConvexTouch touch = touch_of(i, j, found);
     // Cores that share a point without a body around them.
-    if (!(touch.point.overlap > 0.0)) return keep_apart(memory, 0.0);
+    if (!(touch.point.overlap > 0.0)) return apart(call, 0.0);
     FeatureSum features(call.pair, touch.point.overlap);
-    if (call.law.method == ContactLaw::Method::centroid) {
-        features.add(centroid_point(i, j, touch, memory.scratch), 1.0);
+    if (call.law.geometry.method == ContactLaw::Method::centroid) {
+        features.add(centroid_point(i, j, touch, *call.scratch.features), 1.0);
     } else {
-        add_features(i, j, touch, memory, features);
+        add_features(i, j, touch, call, features);
     }
     if (features.empty()) features.add(touch.point, 1.0);
     PairContact contact = contact_force(features, radius.value(), call.law, call.dt, history);
@@ -214,12 +196,12 @@ PairContact core_contact(const CoreI& i, const CoreJ& j, const ConvexRadius& rad
     return contact;
 }
 
-/// The same with nothing known of where the bodies are.
+/// core_contact() with nothing known of where the bodies are.
 template <class CoreI, class CoreJ>
 PairContact between_cores(const CoreI& i, const CoreJ& j, const ConvexRadius& radius,
-                          const ConvexCall& call) {
+                          const CoreCall& call) {
     const double spheres = call.pair.displacement.norm() - i.size - j.size;
-    if (spheres > 0.0) return keep_apart(call.memory, spheres, call.memory.miss.axis);
+    if (spheres > 0.0) return apart(call, spheres, call.memory.cache.axis);
     return core_contact(i, j, radius, call);
 }
 

@@ -12,7 +12,7 @@ struct RoundEllipsoid {
     double rounding;        ///< [m]
     double size;            ///< bounding radius [m]
 
-    /// Of a strictly convex shape.
+    /// The rounded ellipsoid that a strictly convex shape is.
     RoundEllipsoid(const ConvexShape& shape, const Quat& orientation)
         : rounding(shape.rounding), size(shape.bounding_radius) {
         if (shape.is_polyhedron()) return;

@@ -107,8 +107,8 @@ Penetration parted(const CoreI& i, const CoreJ& j, const Vec3& start, double tol
     return result;
 }
 
-/// Of two cores. Where many directions are nearly as good, on round cores, rounding may fold the
-/// polytope: then the best of its normals is where parted() starts.
+/// Deepest penetration of two cores. Where many directions are nearly as good, on round cores,
+/// rounding may fold the polytope: then the best of its normals is where parted() starts.
 template <class CoreI, class CoreJ>
 Penetration core_penetration(const CoreI& i, const CoreJ& j) {
     const double tolerance = 1e-11 * (i.size + j.size);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/cores/feature_patch.hpp"
-#include "runtime/contact/law/contact_mass.hpp"
-#include "runtime/contact/law/hertz_mindlin.hpp"
-#include "runtime/contact/law/point_force.hpp"
+#include "runtime/contact/law/effective_radius.hpp"
+#include "runtime/contact/law/motion.hpp"
+#include "runtime/contact/law/normal.hpp"
+#include "runtime/contact/law/tangential.hpp"
+#include "runtime/contact/law/torsion.hpp"
+#include "runtime/contact/law/whole_force.hpp"
 
 namespace dem {
 
@@ -14,23 +17,26 @@ struct Patch {
     double weight;   ///< sum w_k
     Vec3 normal;     ///< unit
     Vec3 center;     ///< [m]
-    double load;     ///< that friction is a share of [N]
     double spread2;  ///< [m^2]
-    hertz::Coefficients c;
+    ContactCoefficients c;
+    double load = 0.0;  ///< that friction is a share of [N]
+
+    SlippingSpring tangential(const ContactLaw& law) const {
+        return {c.k_t * weight, c.gamma_t * weight, law.friction * load};
+    }
 };
 
 void add_normal(const FeatureSum& features, const ContactLaw& law, double dt, Patch& patch,
-                PairContact& contact) {
+                PairContact& contact, ContactEnergy& energy) {
     const double scale = features.scale();
     const double spring = scale * patch.c.k_n * features.overlap();
-    const double share =
-        hertz::dashpot_share(law, patch.c, patch.overlap, scale * features.rate(), dt);
+    const double share = dashpot_share(law, patch.c, patch.overlap, scale * features.rate(), dt);
     const double dashpot = share * scale * patch.c.gamma_n;
     const double elastic_part = spring * features.weight();
     const double normal_force = elastic_part + dashpot * features.rate();
-    patch.load = hertz::friction_load(law, elastic_part, std::max(normal_force, 0.0));
+    patch.load = friction_load(law, elastic_part, std::max(normal_force, 0.0));
     if (law.limit_force && normal_force < 0.0) {
-        contact.dissipated_energy -= spring * features.rate() * dt;
+        energy.dissipated -= spring * features.rate() * dt;
         return;
     }
     PairWrench sum;
@@ -40,31 +46,16 @@ void add_normal(const FeatureSum& features, const ContactLaw& law, double dt, Pa
     contact.force = sum.force;
     contact.torque_i = sum.torque_i;
     contact.torque_j = sum.torque_j;
-    contact.dissipated_energy += dashpot * features.squared_rate() * dt;
+    energy.dissipated += dashpot * features.squared_rate() * dt;
 }
 
-/// Twist of the contact against its torsion spring; what the tangential spring is to sliding.
 void add_torsion(const Patch& patch, const PairState& pair, const ContactLaw& law, double dt,
-                 ConvexHistory& history, PairContact& contact) {
-    const double k = patch.c.k_t * patch.weight * patch.spread2;
-    const double gamma = patch.c.gamma_t * patch.weight * patch.spread2;
-    const double limit = law.friction * patch.load * std::sqrt(patch.spread2);
+                 ConvexHistory& history, PairContact& contact, ContactEnergy& energy) {
     const double rate = (pair.i.angular_velocity - pair.j.angular_velocity).dot(patch.normal);
-    // Friction that is new to the patch starts without stretch: the torque stays, a part of the
-    // twist goes. What leaves the patch takes its energy along.
-    const double before = history.twist_stiffness;
-    const double kept = k > before ? before / k : 1.0;
-    contact.dissipated_energy += 0.5 * (before - k * square(kept)) * square(history.twist);
-    history.twist_stiffness = k;
-    Vec3 lead(0.0, 0.0, kept * history.twist);
-    const hertz::TangentialForce t =
-        hertz::tangential_force(k, gamma, limit, Vec3(0.0, 0.0, rate), dt, lead);
-    history.twist = k > 0.0 ? lead.z() : 0.0;
-    const Vec3 torque = t.force.z() * patch.normal;
+    const SlippingSpring spring = torsion_spring(patch.tangential(law), patch.spread2);
+    const Vec3 torque = torsion_moment(spring, rate, dt, history, energy) * patch.normal;
     contact.torque_i += torque;
     contact.torque_j -= torque;
-    contact.elastic_energy += t.elastic;
-    contact.dissipated_energy += t.dissipated;
 }
 
 /// How many overlaps long the spring of a contact without slip may be before it lets go: no less
@@ -72,12 +63,12 @@ void add_torsion(const Patch& patch, const PairState& pair, const ContactLaw& la
 /// `stretch`: its length now [m].
 double held_ratio(const Patch& patch, double stretch, double dt, ConvexHistory& history) {
     // A contact that stays forgets how it began.
-    if (history.phase > hertz::settled_phase)
-        history.deepest *= 1.0 - std::min(1.0, patch.c.frequency * dt / hertz::drift_phase);
+    if (history.phase > settled_phase)
+        history.deepest *= 1.0 - std::min(1.0, patch.c.frequency * dt / drift_phase);
     history.deepest = std::max(history.deepest, patch.overlap);
     if (patch.overlap >= 0.5 * history.deepest)
         history.held = std::max(history.held, stretch / patch.overlap);
-    return std::max(hertz::no_slip * patch.c.k_n / patch.c.k_t, 1.05 * history.held);
+    return std::max(no_slip * patch.c.k_n / patch.c.k_t, 1.05 * history.held);
 }
 
 /// A spring longer than this many overlaps would push so hard that a step cannot follow: the push
@@ -86,30 +77,27 @@ double longest_ratio(const Patch& patch, double dt) {
     return std::sqrt(0.5 * patch.c.k_n / patch.c.k_t) / (patch.c.frequency * dt);
 }
 
-struct SpringForce {
-    hertz::TangentialForce along;
+struct FrictionForce {
+    SpringForce along;
     double push = 0.0;  ///< along the gradient of the overlap [N]
 };
 
 /// The spring and dashpot along the surface; in a contact without slip that ends while the spring
 /// is stretched, the spring gives its energy back as a push.
-SpringForce spring_force(const Patch& patch, const ContactLaw& law, const Vec3& u_t, double dt,
-                         ConvexHistory& history, Vec3& lead) {
-    const double k_t = patch.c.k_t * patch.weight;
-    const double gamma_t = patch.c.gamma_t * patch.weight;
-    const double limit = law.friction * patch.load;
-    if (!hertz::gives_back(law) || !(k_t > 0.0))
-        return {hertz::tangential_force(k_t, gamma_t, limit, u_t, dt, lead)};
+FrictionForce along_surface(const Patch& patch, const ContactLaw& law, const Vec3& u_t, double dt,
+                            ConvexHistory& history, Vec3& lead) {
+    const SlippingSpring s = patch.tangential(law);
+    if (!gives_back(law) || !(s.k > 0.0)) return {slipping_force(s, u_t, dt, lead)};
     const Vec3 half_way = 0.5 * dt * u_t;
     const Vec3 spring = lead + half_way;
     const double length = spring.norm();
     const double ratio = held_ratio(patch, length, dt, history);
     if (ratio > longest_ratio(patch, dt) || !(length > ratio * patch.overlap))
-        return {hertz::tangential_force(k_t, gamma_t, limit, u_t, dt, lead)};
-    const hertz::LettingGo go = hertz::letting_go(k_t, length, ratio, patch.overlap);
+        return {slipping_force(s, u_t, dt, lead)};
+    const LettingGo go = letting_go(s.k, length, ratio, patch.overlap);
     lead = spring + half_way;
-    return {{(-go.force / length) * spring - gamma_t * u_t, go.energy,
-             gamma_t * u_t.squaredNorm() * dt},
+    return {{(-go.force / length) * spring - s.gamma * u_t, go.energy,
+             s.gamma * u_t.squaredNorm() * dt},
             go.push};
 }
 
@@ -123,74 +111,80 @@ void add_push(const FeatureSum& features, double push, PairContact& contact) {
 }
 
 void add_friction(const Patch& patch, const FeatureSum& features, const ContactLaw& law, double dt,
-                  ConvexHistory& history, PairContact& contact) {
+                  ConvexHistory& history, PairContact& contact, ContactEnergy& energy) {
     const PairState& pair = features.pair();
     const Vec3& n = patch.normal;
     const Vec3 u = relative_velocity(pair, patch.center);
     const Vec3 u_t = u - u.dot(n) * n;
     Vec3 spring = Vec3::Zero();
     double before = history.stiffness;
-    if (history.effective_radius > 0.0) {
-        const double spin = 0.5 * n.dot(pair.i.angular_velocity + pair.j.angular_velocity);
-        spring = hertz::carried(history.spring, history.normal, n, spin * dt);
-        // As the twist below.
+    if (history.touched()) {
+        spring = carried(history.spring, history.normal, n, spin_about(pair, n) * dt);
+        // Friction that is new to the patch starts without stretch, as in torsion_moment().
         const double kept = std::min(history.weight / patch.weight, 1.0);
-        contact.dissipated_energy += 0.5 * before * (1.0 - kept) * spring.squaredNorm();
+        energy.dissipated += 0.5 * before * (1.0 - kept) * spring.squaredNorm();
         before /= kept;
         spring *= kept;
     } else {
         history.twist = 0.0;
     }
     const double k_t = patch.c.k_t * patch.weight;
-    contact.dissipated_energy +=
-        hertz::restiffen(before, k_t, history.dissipated + contact.dissipated_energy, spring);
-    const SpringForce force = spring_force(patch, law, u_t, dt, history, spring);
+    energy.dissipated += restiffen(before, k_t, history.dissipated + energy.dissipated, spring);
+    const FrictionForce force = along_surface(patch, law, u_t, dt, history, spring);
     if (force.push > 0.0) add_push(features, force.push, contact);
-    const hertz::TangentialForce& t = force.along;
+    const SpringForce& t = force.along;
     history.spring = spring;
     history.stiffness = k_t;
     history.weight = patch.weight;
     contact.force += t.force;
     contact.torque_i += patch.center.cross(t.force);
     contact.torque_j -= (patch.center - pair.displacement).cross(t.force);
-    contact.elastic_energy += t.elastic;
-    contact.dissipated_energy += t.dissipated;
-    add_torsion(patch, pair, law, dt, history, contact);
+    energy.elastic += t.elastic;
+    energy.dissipated += t.dissipated;
+    add_torsion(patch, pair, law, dt, history, contact, energy);
 }
 
-}  // namespace
-
-PairContact contact_force(const FeatureSum& features, double local_radius, const ContactLaw& law,
-                          double dt, ConvexHistory& history) {
+Patch patch_of(const FeatureSum& features, double radius, const ContactLaw& law) {
     const PairState& pair = features.pair();
-    const double radius = hertz::effective_radius(law, local_radius, history);
     const PairWrench& g = features.direction();
     // Of one point and of many coinciding ones the mass is the same.
     const double inverse_mass = law.damping_mass == ContactLaw::DampingMass::contact
                                     ? inverse_contact_mass(pair, g.force, g.torque_i, g.torque_j) /
                                           square(features.weight())
                                     : inverse_reduced_mass(pair);
-    Patch patch{};
-    patch.overlap = features.overlap();
-    patch.weight = features.scale() * features.weight();
+    const double overlap = features.overlap();
     const double length = g.force.norm();
-    patch.normal = length > 0.0 ? Vec3(g.force / length) : Vec3::UnitZ();
-    patch.center = features.center();
-    patch.spread2 = features.squared_spread();
-    patch.c = hertz::coefficients(law, radius, patch.overlap, inverse_mass,
-                                  hertz::tangential_inertia(pair));
+    return {overlap,
+            features.scale() * features.weight(),
+            length > 0.0 ? Vec3(g.force / length) : Vec3::UnitZ(),
+            features.center(),
+            features.squared_spread(),
+            contact_coefficients(law, radius, overlap, inverse_mass, tangential_inertia(pair))};
+}
 
+}  // namespace
+
+PairContact contact_force(const FeatureSum& features, double local_radius, const ContactLaw& law,
+                          double dt, ConvexHistory& history) {
+    const double radius = effective_radius(law, local_radius, history);
+    Patch patch = patch_of(features, radius, law);
     PairContact contact;
-    add_normal(features, law, dt, patch, contact);
-    const double elastic = hertz::elastic_share(law) * patch.c.k_n * square(patch.overlap);
-    contact.elastic_energy = elastic;
-    if (law.friction > 0.0) add_friction(patch, features, law, dt, history, contact);
-    history.normal = patch.normal;
+    ContactEnergy energy;
+    add_normal(features, law, dt, patch, contact, energy);
+    const double elastic = elastic_share(law) * patch.c.k_n * square(patch.overlap);
+    energy.elastic = elastic;
+    const WholeContact whole{
+        features.pair(), dt,     !history.touched(),         patch.normal, history.normal,
+        patch.center,    radius, patch.c.k_n * patch.weight, patch.load,   history.dissipated};
+    if (law.friction > 0.0) add_friction(patch, features, law, dt, history, contact, energy);
+    const Vec3 moment = end_step(
+        law, whole, {local_radius, radius, patch.c.frequency * dt, elastic}, history, energy);
+    contact.torque_i += moment;
+    contact.torque_j -= moment;
     contact.overlap = patch.overlap;
     contact.points = features.count();
-    history.dissipated += contact.dissipated_energy;
-    contact.dissipated_energy +=
-        hertz::age(law, local_radius, radius, patch.c.frequency * dt, elastic, history);
+    contact.elastic_energy = energy.elastic;
+    contact.dissipated_energy = energy.dissipated;
     return contact;
 }
 

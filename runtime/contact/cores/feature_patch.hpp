@@ -4,6 +4,8 @@
 #include "runtime/contact/contact_types.hpp"
 #include "runtime/contact/cores/gjk.hpp"
 #include "runtime/contact/cores/leash.hpp"
+#include "runtime/contact/law/contact_law.hpp"
+#include "runtime/contact/law/torsion.hpp"
 
 #include <array>
 #include <cmath>
@@ -177,19 +179,11 @@ struct NearEnd {
 using NearEnds = std::array<NearEnd, 2>;
 
 /// History of a pair of which at least one body is of kind `convex`. All zero: no contact.
-struct ConvexHistory {
-    StoredVec3 normal;              ///< last direction of the normal force, from j towards i
-    StoredVec3 spring;              ///< tangential, half a step ahead [m]
-    double twist = 0.0;             ///< relative rotation about the normal, the same [rad]
-    double effective_radius = 0.0;  ///< R* frozen at onset [m]
-    double phase = 0.0;             ///< age in radians of its own oscillation
-    double stiffness = 0.0;         ///< of the spring in the step before [N/m]
-    double twist_stiffness = 0.0;   ///< [N m]
-    double weight = 0.0;            ///< of the features together in the step before
-    double dissipated = 0.0;        ///< so far; a stiffness that grows gives no more [J]
-    double deepest = 0.0;           ///< overlap so far [m]; with `held` for laws without slip only
-    double held = 0.0;   ///< longest spring over overlap, while that was no less than half
-    SearchStart search;  ///< where the search for the distance starts
+struct ConvexHistory : ContactHistory, SpringHistory, TorsionHistory {
+    double weight = 0.0;   ///< of the features together in the step before
+    double deepest = 0.0;  ///< overlap so far [m]; with `held` for laws without slip only
+    double held = 0.0;     ///< longest spring over overlap, while that was no less than half
+    SearchStart search;    ///< where the search for the distance starts
     LoneFeature lone;
     NearEnds ends_of_i{}, ends_of_j{};
     Leash leash;                  ///< of what is known of the features

@@ -20,12 +20,7 @@ struct ConvexScratch {
     std::vector<Vec2> polygon_i, polygon_j;
 };
 
-/// What the host owns for a pair with a convex shape.
-struct ConvexMemory {
-    ConvexHistory& history;
-    MissCache& miss;
-    ConvexScratch& scratch;
-};
+using CoreCall = Call<ConvexHistory, MissCache>;
 
 /// The vertices of a polyhedron that the nearest points lie between; of other cores without
 /// meaning.
@@ -64,7 +59,7 @@ struct CappedCore {
 void add_vertex(const PlacedCore& core, std::uint32_t vertex, const CappedCore& other,
                 const NearCores& near, double sign, FeatureSum& features);
 
-/// The same where the distance of the vertex x from the core is known.
+/// A vertex x against the other core, from which its distance is known.
 void add_vertex_at(const PlacedCore& core, const Vec3& x, const PlacedCore& other,
                    const SurfaceDistance& distance, double sign, FeatureSum& features);
 
@@ -80,7 +75,7 @@ void add_edges(const ConvexScratch& scratch, const NearCores& near, double round
 /// bound that is no less will do.
 SurfaceDistance distance_to(const PlacedCore& core, const ConvexCap& cap, bool cores_overlap,
                             const Vec3& x, double beyond = std::numeric_limits<double>::infinity());
-/// The same in the frame of the core.
+/// Distance of a core's surface, all in the frame of the core.
 SurfaceDistance distance_in_body(const PlacedCore& core, const ConvexCap& cap, bool cores_overlap,
                                  const Vec3& x,
                                  double beyond = std::numeric_limits<double>::infinity());

@@ -191,7 +191,7 @@ class Contenders {
   public:
     Contenders(double reach, double room) : reach_(reach), room_(room) {}
 
-    /// Of a vertex, with the face that it stays above. False when that is not certain.
+    /// Notes a vertex with the face that it stays above. False when that is not certain.
     bool add_vertex(const PlacedCore& core, Index vertex, const PlacedCore& other,
                     LoneFeature::Kind kind) {
         const ConvexShape& shape = other.shape;
@@ -211,7 +211,7 @@ class Contenders {
         const bool is_of_i = kind == LoneFeature::Kind::vertex_of_i;
         return add(kind, is_of_i ? vertex : face, is_of_i ? face : vertex);
     }
-    /// Of two edges. Where their lines are nearest moves by a multiple of `room`.
+    /// Notes two edges. Where their lines are nearest moves by a multiple of `room`.
     bool add_edges(const EdgeLine& a, Index number_a, const EdgeLine& b, Index number_b) {
         const Vec3 between = a.start - b.start;
         const double cosine = a.direction.dot(b.direction);

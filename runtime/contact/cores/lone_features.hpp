@@ -12,7 +12,7 @@ namespace dem {
 bool add_lone_feature(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
                       FeatureSum& features, LoneFeature& lone, Leash& leash);
 
-/// The same proof for a pair of which only one feature overlaps, by looking at all others; costs as
+/// The proof for a pair of which only one feature overlaps, by looking at all others; costs as
 /// much as add_polyhedra() and is left out for some steps after it has failed.
 void look_for_lone_feature(const PlacedCore& i, const PlacedCore& j, const PairState& pair,
                            const NearCores& near, ConvexScratch& scratch, LoneFeature& lone,

@@ -13,8 +13,9 @@ namespace dem {
 /// linear map (Anderson 1965).
 void sharpen(const PlacedCore& i, const PlacedCore& j, CoreDistance& found);
 
-/// The same for cores that overlap, one of them an ellipsoid: i is moved out until a gap is left,
-/// and the direction of the gap taken over as long as the overlap along it is less.
+/// Sharpens the nearest points of cores that overlap, one of them an ellipsoid: i is moved out
+/// until a gap is left, and the direction of the gap taken over as long as the overlap along it is
+/// less.
 void sharpen(const PlacedCore& i, const PlacedCore& j, Penetration& deepest);
 
 }  // namespace dem

@@ -7,8 +7,8 @@
 
 namespace dem {
 
-/// Of the lines of a core [m]: edges are as thick as the rounding, the axis of a cylinder as its
-/// side.
+/// Radius about the lines of a core [m]: edges are as thick as the rounding, the axis of a cylinder
+/// as its side.
 inline double line_thickness(const PlacedCore& core) {
     return core.has_vertices() ? core.rounding : core.rounding + core.shape.size.x;
 }
@@ -46,7 +46,7 @@ class RimCrossings {
     /// The part of a line in which the side of its cylinder touches an end that is no more tilted.
     EdgeLine without_ends(const EdgeLine& line) const;
 
-    /// Of the side of a cylinder to an end on which it counts as lying [rad].
+    /// Up to this tilt the side of a cylinder counts as lying on an end [rad].
     static constexpr double largest_tilt = 0.05;
 
     const PlacedCap& cap_;

@@ -318,9 +318,9 @@ PlacedCaps caps_of(const PlacedCore& core) {
 }
 
 void add_round(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
-               const FeaturePoint& deepest, const ConvexMemory& memory, FeatureSum& features) {
-    ConvexScratch& scratch = memory.scratch;
-    ConvexHistory& history = memory.history;
+               const FeaturePoint& deepest, const CoreCall& call, FeatureSum& features) {
+    ConvexScratch& scratch = *call.scratch.features;
+    ConvexHistory& history = call.memory.history;
     // Of cores that overlap distances are signed, and other points come into play.
     if (near.cores_overlap) history.leash.room = 0.0;
     const bool is_known = history.leash.room > 0.0;

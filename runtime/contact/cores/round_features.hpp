@@ -47,6 +47,6 @@ inline constexpr double rim_sample_weight = 0.25;
 /// cannot touch while the leash in the memory lasts is left out; without a leash that is found,
 /// and changes nothing.
 void add_round(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
-               const FeaturePoint& deepest, const ConvexMemory& memory, FeatureSum& features);
+               const FeaturePoint& deepest, const CoreCall& call, FeatureSum& features);
 
 }  // namespace dem

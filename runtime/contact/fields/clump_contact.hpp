@@ -34,18 +34,18 @@ inline double clump_rounding(double bounding_radius) {
 /// Should there be more than the scratch holds, the shallowest are left out.
 template <class Elements, class MakePoint>
 TouchingSpheres<typename Elements::Sample> touching_spheres(const Elements& elements, double margin,
-                                                            const NodeMemory& memory,
+                                                            const PatchCall& call,
                                                             const MakePoint& point) {
     using Sample = typename Elements::Sample;
     TouchingSpheres<Sample> touching;
-    ContactScratch& scratch = memory.scratch;
+    ContactScratch& scratch = *call.scratch.points;
     std::size_t count = 0;
     bool is_full = false;
     double deepest = 0.0;
     const auto is_deeper = [](const ContactPoint& a, const ContactPoint& b) {
         return a.overlap > b.overlap || (a.overlap == b.overlap && a.feature < b.feature);
     };
-    visit_touching(elements, margin, memory.travel, memory.cache,
+    visit_touching(elements, margin, call.travel, call.memory.cache,
                    [&](std::uint32_t k, const Sample& sample) {
                        if (sample.distance < deepest) {
                            deepest = sample.distance;
@@ -72,33 +72,30 @@ TouchingSpheres<typename Elements::Sample> touching_spheres(const Elements& elem
     return touching;
 }
 
-/// The contact point of a sphere that touches a field with this gradient. `sign`: 1 where the
-/// sphere's body is i.
+/// The contact point of a sphere of i that touches a field with this gradient.
 template <class Sample>
-ContactPoint sphere_point(std::uint32_t k, const Sample& s, const Vec3& gradient, double sign) {
+ContactPoint sphere_point(std::uint32_t k, const Sample& s, const Vec3& gradient) {
     const double overlap = -s.distance;
-    return {s.center - (s.radius - 0.5 * overlap) * gradient.normalized(), sign * gradient, overlap,
-            k};
+    return {s.center - (s.radius - 0.5 * overlap) * gradient.normalized(), gradient, overlap, k};
 }
 
-/// A clump against a field of distances to a wall or another body. `sign`: 1 where the clump is i;
-/// `curvature`: of the partner, 0 for a wall [1/m].
+/// A clump, i, against a field of distances to a wall or another body. `curvature`: of the partner,
+/// 0 for a wall [1/m].
 template <class Field>
-PairContact clump_in_field(const PlacedSpheres& spheres, const Field& field, double sign,
-                           double margin, double curvature, const NodeCall& call) {
-    const NodeMemory& memory = call.memory;
+PairContact clump_in_field(const PlacedSpheres& spheres, const Field& field, double margin,
+                           double curvature, const PatchCall& call) {
     const Clump::Ball bound = spheres.bound();
-    if (memory.travel >= memory.cache.listed_until) {
+    if (call.travel >= call.memory.cache.listed_until) {
         const double gap =
             field.sample(spheres.place(bound.center())).distance - bound.radius - field.slack;
-        if (gap > margin) return keep_apart(gap, memory);
+        if (gap > margin) return apart(call, gap);
     }
     const SpheresInField<Field> elements{spheres, field};
-    const NodeFrame frame{Mat3::Identity(), Vec3::Zero(), sign};
+    const NodeFrame frame{Mat3::Identity()};
     const auto mean_at = during_step(field, frame, call, ContactLaw::NodeNormal::gradient);
     const auto touching =
-        touching_spheres(elements, margin, memory, [&](std::uint32_t k, const auto& sample) {
-            return sphere_point(k, sample, mean_at(sample.center, sample.field).gradient, sign);
+        touching_spheres(elements, margin, call, [&](std::uint32_t k, const auto& sample) {
+            return sphere_point(k, sample, mean_at(sample.center, sample.field).gradient);
         });
     const double radius = touching.deepest.radius;
     return contact_force(touching.points,

@@ -24,7 +24,7 @@ namespace dem {
 
 /// Calls visit(k, sample) for every element that touches, in rising order.
 template <class Elements, class Visit>
-void visit_touching(const Elements& elements, double margin, double travel, NodeCache& cache,
+void visit_touching(const Elements& elements, double margin, double travel, NearCache& cache,
                     const Visit& visit) {
     if (travel < cache.listed_until) {
         double nearest = std::numeric_limits<double>::infinity();

@@ -18,12 +18,12 @@ struct StepWay {
     Vec3 shift;  ///< of the origin [m]
     Vec3 turn;   ///< [rad]
 
-    /// Of the point x [m].
+    /// Way of the point x [m].
     Vec3 at(const Vec3& x) const { return shift + turn.cross(x); }
 };
 
-/// Of the points of i relative to the body j where `sign` is 1, of those of j relative to i where
-/// it is -1. `to_world` and `center` place the frame as NodeFrame does.
+/// The way in a step of the points of i relative to the body j where `sign` is 1, of those of j
+/// relative to i where it is -1. `to_world` and `center` place the frame as NodeFrame does.
 inline StepWay step_way(const PairState& pair, const Mat3& to_world, const Vec3& center,
                         double sign, double dt) {
     const Vec3 spin = pair.i.angular_velocity - pair.j.angular_velocity;

@@ -11,24 +11,10 @@
 /// From nodes inside a field to the contact points of a pair: what all kernels by nodes share.
 namespace dem {
 
-/// What the host owns for a pair that touches by nodes, and what it knows about it.
-struct NodeMemory {
-    PatchHistory& history;
-    NodeCache& cache;
-    ContactScratch& scratch;  ///< see there for how large
-    double travel;            ///< see cannot_touch() [m]
-};
+using PatchCall = Call<PatchHistory, NearCache>;
 
-/// What a kernel was called with, besides the shapes.
-struct NodeCall {
-    const PairState& pair;
-    const ContactLaw& law;
-    double dt;
-    const NodeMemory& memory;
-};
-
-/// How the frame of the body with the nodes lies in the pair: its rotation to the world, its centre
-/// relative to the centre of i [m], and whether it is i (1) or j (-1).
+/// How the frame of the body with the nodes lies in the pair: its rotation to the world, its center
+/// relative to the center of i [m], and whether it is i (1) or j (-1).
 struct NodeFrame {
     Mat3 to_world;
     Vec3 center = Vec3::Zero();
@@ -48,18 +34,19 @@ struct TouchingNodes {
 inline double list_margin(const SrShape& shape) {
     return 0.0025 * shape.major_axis_length;
 }
-/// The same against a distance field: what its error may hide is added, never beyond the band in
-/// which that error is known.
+/// Width of that shell against a distance field: what its error may hide is added, never beyond the
+/// band in which that error is known.
 inline double list_margin(const SrShape& shape, const SrShape& other) {
     const double margin = list_margin(shape) + 2.0 * other.sdf.surface_slack;
     return other.sdf.surface_band > 0.0 ? std::min(margin, other.sdf.surface_band) : margin;
 }
 
-/// Notes that no node can come nearer than `gap` > 0 before the bodies have moved by it.
-inline PairContact keep_apart(double gap, const NodeMemory& memory) {
-    memory.cache.count = 0;
-    memory.cache.clear_until = memory.cache.listed_until = memory.travel + gap;
-    if (memory.history.effective_radius > 0.0) memory.history = {};
+/// What a kernel returns for bodies that are apart by a proven gap > 0 [m].
+inline PairContact apart(const PatchCall& call, double gap) {
+    const auto& [history, cache] = call.memory;
+    cache.count = 0;
+    cache.clear_until = cache.listed_until = call.travel + gap;
+    if (history.touched()) history = {};
     return {};
 }
 
@@ -79,7 +66,7 @@ Vec3 node_normal(const Field& field, const Vec3& x, const typename Field::Sample
 /// Direction of the force at a touching point x of the body in this frame, and its distance, as a
 /// function of x and the sample there: where the field has creases the means over the step.
 template <class Field>
-auto during_step(const Field& field, const NodeFrame& frame, const NodeCall& call,
+auto during_step(const Field& field, const NodeFrame& frame, const PatchCall& call,
                  ContactLaw::NodeNormal rule) {
     using Sample = typename Field::Sample;
     if constexpr (CreasedField<Field>) {
@@ -106,19 +93,19 @@ inline void average_normals(std::span<ContactPoint> points) {
 /// Contact points of all nodes inside the field, in rising order of the nodes.
 template <class Field>
 TouchingNodes<Field> touching_nodes(const SurfaceNodes& nodes, const Field& field,
-                                    const NodeFrame& frame, double margin, const NodeCall& call) {
-    const NodeMemory& memory = call.memory;
-    const ContactLaw::NodeNormal rule = call.law.node_normal;
+                                    const NodeFrame& frame, double margin, const PatchCall& call) {
+    ContactScratch& scratch = *call.scratch.points;
+    const ContactLaw::NodeNormal rule = call.law.geometry.node_normal;
     const auto mean_at = during_step(field, frame, call, rule);
     TouchingNodes<Field> touching;
     std::size_t count = 0;
     double deepest = 0.0;
-    visit_touching_nodes(nodes, field, margin, memory.travel, memory.cache,
+    visit_touching_nodes(nodes, field, margin, call.travel, call.memory.cache,
                          [&](std::uint32_t k, const typename Field::Sample& sample) {
                              const SurfaceNodes::Node& node = nodes.nodes[k];
                              const Vec3 x(node.x, node.y, node.z);
                              const StepMean mean = mean_at(x, sample);
-                             memory.scratch[count++] = {
+                             scratch[count++] = {
                                  frame.center + frame.to_world * x,
                                  frame.sign * (frame.to_world * mean.gradient),
                                  -(mean.distance < 0.0 ? mean.distance : sample.distance), k};
@@ -128,14 +115,14 @@ TouchingNodes<Field> touching_nodes(const SurfaceNodes& nodes, const Field& fiel
                                  touching.deepest_sample = sample;
                              }
                          });
-    const std::span<ContactPoint> points(memory.scratch.data(), count);
+    const std::span<ContactPoint> points(scratch.data(), count);
     if (rule == ContactLaw::NodeNormal::averaged) average_normals(points);
     touching.points = points;
     return touching;
 }
 
 inline PairContact contact_force(std::span<const ContactPoint> points, double local_radius,
-                                 const NodeCall& call) {
+                                 const PatchCall& call) {
     return contact_force(points, local_radius, call.pair, call.law, call.dt, call.memory.history);
 }
 

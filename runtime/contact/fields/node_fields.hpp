@@ -29,12 +29,12 @@
 ///     bool may_turn_within(sample, way)   whether it may so near to where it was sampled [m]
 namespace dem {
 
-/// The interpolated distance field of a surface of revolution. Only the centre and the axis of the
+/// The interpolated distance field of a surface of revolution. Only the center and the axis of the
 /// other body matter ([SR] Lemma 1).
 struct SrField {
     struct Sample : SdfSample {
         double r;  ///< distance from the axis [m]
-        double z;  ///< along the axis, from the centre [m]
+        double z;  ///< along the axis, from the center [m]
     };
 
     const SdfQuadtree* sdf;

@@ -25,7 +25,7 @@ namespace dem {
 /// What a pair remembers about the nodes that touch next. All zero: nothing is known. Owned by the
 /// host; may be dropped at any time. Only valid for the two bodies it was written for, with the
 /// master's nodes, and with `travel` counted on from where it was.
-struct NodeCache {
+struct NearCache {
     static constexpr std::uint32_t capacity = 24;
 
     /// No node touches while `travel` is less than this [m].
@@ -35,13 +35,13 @@ struct NodeCache {
     std::uint32_t count = 0;
     std::array<std::uint32_t, capacity> nodes{};  ///< in rising order
 };
-static_assert(std::is_trivially_copyable_v<NodeCache>);
+static_assert(std::is_trivially_copyable_v<NearCache>);
 
 /// True when the pair cannot touch, so that the host need not call the kernel. `travel` is a bound
 /// on the path walked by any point of either body, one added to the other, since some fixed time
 /// [m]: it never falls, and no point of one body has come nearer to a point of the other by more
 /// than its increase.
-inline bool cannot_touch(const NodeCache& cache, double travel) {
+inline bool cannot_touch(const NearCache& cache, double travel) {
     return travel < cache.clear_until;
 }
 
@@ -86,15 +86,15 @@ double visit_near_nodes(const SurfaceNodes& nodes, const Field& field, double ma
     return others;
 }
 
-/// Fills a NodeCache with the nearest nodes of a search, in rising order.
+/// Fills a NearCache with the nearest nodes of a search, in rising order.
 class NodeListBuilder {
   public:
-    explicit NodeListBuilder(NodeCache& cache) : cache_(cache) { cache_.count = 0; }
+    explicit NodeListBuilder(NearCache& cache) : cache_(cache) { cache_.count = 0; }
 
     void add(std::uint32_t node, double distance) {
         nearest_ = std::min(nearest_, distance);
         if (distance >= reach_) return;
-        if (cache_.count == NodeCache::capacity) drop_farthest();
+        if (cache_.count == NearCache::capacity) drop_farthest();
         if (distance >= reach_) return;
         cache_.nodes[cache_.count] = node;
         distances_[cache_.count] = distance;
@@ -124,8 +124,8 @@ class NodeListBuilder {
         --cache_.count;
     }
 
-    NodeCache& cache_;
-    std::array<double, NodeCache::capacity> distances_{};
+    NearCache& cache_;
+    std::array<double, NearCache::capacity> distances_{};
     double reach_ = std::numeric_limits<double>::infinity();
     double nearest_ = std::numeric_limits<double>::infinity();
 };
@@ -135,7 +135,7 @@ class NodeListBuilder {
 /// the nodes within `margin` [m].
 template <class Field, class Visit>
 void visit_touching_nodes(const SurfaceNodes& nodes, const Field& field, double margin,
-                          double travel, NodeCache& cache, Visit&& visit) {
+                          double travel, NearCache& cache, Visit&& visit) {
     const auto visit_if_touching = [&](std::uint32_t k, const auto& sample) {
         const SurfaceNodes::Node& node = nodes.nodes[k];
         if (sample.distance < 0.0 && field.accepts({node.x, node.y, node.z})) visit(k, sample);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "runtime/contact/contact_types.hpp"
+#include "runtime/contact/law/contact_law.hpp"
 
 #include <array>
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace dem {
 
 /// One contact point of a pair as the geometry found it.
 struct ContactPoint {
-    Vec3 position;   ///< relative to the centre of mass of i [m]
+    Vec3 position;   ///< relative to the center of mass of i [m]
     Vec3 gradient;   ///< of the overlap with respect to a shift of i, from j towards i, negated:
                      ///< the repulsive force on i acts along it. Unit length or close to it
     double overlap;  ///< [m], > 0; negated at a place between others that counts against them
@@ -26,25 +26,17 @@ struct ContactPoint {
 /// to the lower feature. The tangential forces of the slots stand for all points: they are scaled
 /// so that stiffness and Coulomb limit are those of every touching point, and act where the load of
 /// all does.
-struct PatchHistory {
+struct PatchHistory : ContactHistory {
     static constexpr std::size_t slot_count = 8;
-    struct Slot {
+    struct Slot : SpringHistory {
         std::uint64_t feature = 0;
-        StoredVec3 normal;
-        StoredVec3 spring;       ///< [m]
-        double stiffness = 0.0;  ///< k_t of the step before [N/m]
+        StoredVec3 normal;  ///< last one of the point
     };
-    double effective_radius = 0.0;  ///< R* frozen at onset [m]
-    double phase = 0.0;             ///< age in radians of its own oscillation
-    double dissipated = 0.0;  ///< by the pair so far; a stiffness that grows gives no more [J]
-    std::uint64_t used = 0;   ///< slots in use, the first ones
+    std::uint64_t used = 0;  ///< slots in use, the first ones
     std::array<Slot, slot_count> slots;
 };
 static_assert(std::is_trivially_copyable_v<PatchHistory>);
 
-/// Room for the contact points of one pair, owned by the host, one per thread, as large as the
-/// largest number of nodes of any shape and as contact_room() of any clump: kernels allocate
-/// nothing.
 using ContactScratch = std::vector<ContactPoint>;
 
 /// Force of one contact point (docs/contact.md, "Force law"). `local_radius` is R* at this

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "runtime/contact/contact_types.hpp"
+#include "runtime/contact/law/contact_law.hpp"
 
 namespace dem {
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "runtime/contact/law/contact_mass.hpp"
 #include "runtime/contact/law/contact_point.hpp"
-#include "runtime/contact/law/hertz_mindlin.hpp"
+#include "runtime/contact/law/effective_radius.hpp"
+#include "runtime/contact/law/motion.hpp"
+#include "runtime/contact/law/normal.hpp"
 #include "runtime/contact/law/patch_slots.hpp"
-#include "runtime/contact/law/point_force.hpp"
+#include "runtime/contact/law/tangential.hpp"
+#include "runtime/contact/law/whole_force.hpp"
 
 #include <cmath>
 
@@ -31,12 +33,10 @@ double power_16(double x) {
 
 /// What one point contributes.
 struct Share {
-    Vec3 velocity;        ///< relative, at the point [m/s]
-    double elastic_part;  ///< of the force along the gradient [N]
-    double force;         ///< along the gradient [N]
+    Vec3 velocity;  ///< relative, at the point [m/s]
+    NormalForce normal;
     double k_t, gamma_t;  ///< of its tangential spring and dashpot
     double elastic;       ///< normal part, where points have their own [J]
-    double dissipated;    ///< normal part [J]
 };
 
 /// multi_contact = norm: one potential for the pair.
@@ -68,25 +68,17 @@ class NormPatch {
         const double inverse_mass = law.damping_mass == ContactLaw::DampingMass::contact
                                         ? inverse_contact_mass(pair, g, t_i, t_j) / square(weights)
                                         : inverse_reduced_mass(pair);
-        coefficients_ = hertz::coefficients(law, radius, overlap_, inverse_mass,
-                                            hertz::tangential_inertia(pair));
-        elastic_ = hertz::elastic_share(law) * coefficients_.k_n * square(overlap_);
+        coefficients_ =
+            contact_coefficients(law, radius, overlap_, inverse_mass, tangential_inertia(pair));
+        elastic_ = elastic_share(law) * coefficients_.k_n * square(overlap_);
     }
 
     Share share(const ContactPoint& p, double dt) const {
-        const hertz::Coefficients& c = coefficients_;
+        const ContactCoefficients& c = coefficients_;
         const double w = power_15(p.overlap / overlap_);
-        Share s{};
-        s.velocity = relative_velocity(pair_, p.position);
-        const double rate = -s.velocity.dot(p.gradient);
-        s.elastic_part = w * c.k_n * overlap_;
-        s.force = s.elastic_part +
-                  hertz::dashpot_share(law_, c, overlap_, rate, dt) * w * c.gamma_n * rate;
-        if (law_.limit_force && w > 0.0) s.force = std::max(s.force, 0.0);
-        s.dissipated = (s.force - s.elastic_part) * rate * dt;
-        s.k_t = w * c.k_t;
-        s.gamma_t = w * c.gamma_t;
-        return s;
+        const Vec3 velocity = relative_velocity(pair_, p.position);
+        const Pressing pressing{overlap_, -velocity.dot(p.gradient), w};
+        return {velocity, normal_force(law_, c, pressing, dt), w * c.k_t, w * c.gamma_t, 0.0};
     }
 
     double overlap() const { return overlap_; }
@@ -98,7 +90,7 @@ class NormPatch {
     const ContactLaw& law_;
     double overlap_ = 0.0;
     double elastic_ = 0.0;
-    hertz::Coefficients coefficients_{};
+    ContactCoefficients coefficients_{};
 };
 
 /// multi_contact = sum, [SR] Eq. 17: every point a full spring-dashpot of its own.
@@ -115,19 +107,12 @@ class SumPatch {
     }
 
     Share share(const ContactPoint& p, double dt) const {
-        const hertz::Coefficients c = coefficients(p);
-        Share s{};
-        s.velocity = relative_velocity(pair_, p.position);
-        const double rate = -s.velocity.dot(p.gradient);
-        s.elastic_part = c.k_n * p.overlap;
-        s.force =
-            s.elastic_part + hertz::dashpot_share(law_, c, p.overlap, rate, dt) * c.gamma_n * rate;
-        if (law_.limit_force) s.force = std::max(s.force, 0.0);
-        s.dissipated = (s.force - s.elastic_part) * rate * dt;
-        s.k_t = c.k_t;
-        s.gamma_t = c.gamma_t;
-        s.elastic = hertz::elastic_share(law_) * s.elastic_part * p.overlap;
-        return s;
+        const ContactCoefficients c = coefficients(p);
+        const Vec3 velocity = relative_velocity(pair_, p.position);
+        const NormalForce normal =
+            normal_force(law_, c, {p.overlap, -velocity.dot(p.gradient)}, dt);
+        return {velocity, normal, c.k_t, c.gamma_t,
+                elastic_share(law_) * normal.elastic_part * p.overlap};
     }
 
     double overlap() const { return overlap_; }
@@ -135,15 +120,15 @@ class SumPatch {
     double frequency() const { return frequency_; }
 
   private:
-    hertz::Coefficients coefficients(const ContactPoint& p) const {
+    ContactCoefficients coefficients(const ContactPoint& p) const {
         const Vec3& g = p.gradient;
         const double inverse_mass =
             law_.damping_mass == ContactLaw::DampingMass::contact
                 ? inverse_contact_mass(pair_, g, p.position.cross(g),
                                        (p.position - pair_.displacement).cross(g))
                 : inverse_reduced_mass(pair_);
-        return hertz::coefficients(law_, radius_, p.overlap, inverse_mass,
-                                   hertz::tangential_inertia(pair_));
+        return contact_coefficients(law_, radius_, p.overlap, inverse_mass,
+                                    tangential_inertia(pair_));
     }
 
     const PairState& pair_;
@@ -171,12 +156,14 @@ struct PatchCall {
 
 /// The elastic parts of the forces of some points, and where they act.
 struct Load {
-    double force = 0.0;          ///< [N]
-    Vec3 moment = Vec3::Zero();  ///< of places relative to the centre of i [N m]
+    double force = 0.0;             ///< [N]
+    Vec3 moment = Vec3::Zero();     ///< of places relative to the center of i [N m]
+    Vec3 direction = Vec3::Zero();  ///< sum of the forces [N]
 
-    void add(double elastic_part, const Vec3& place) {
+    void add(double elastic_part, const ContactPoint& point) {
         force += elastic_part;
-        moment += elastic_part * place;
+        moment += elastic_part * point.position;
+        direction += elastic_part * point.gradient;
     }
 };
 
@@ -193,7 +180,7 @@ StandIn stand_in(const Patch& patch, const PatchCall& call, const PatchSlots& ch
     Load held;
     for (std::size_t k = 0; k < chosen.count; ++k) {
         const ContactPoint& p = call.points[chosen.point[k]];
-        held.add(patch.share(p, call.dt).elastic_part, p.position);
+        held.add(patch.share(p, call.dt).normal.elastic_part, p);
     }
     if (!(held.force > 0.0)) return {};
     return {load.force / held.force, load.moment / load.force - held.moment / held.force};
@@ -201,60 +188,82 @@ StandIn stand_in(const Patch& patch, const PatchCall& call, const PatchSlots& ch
 
 /// Adds the friction of the points in slots.
 template <class Patch>
-void add_friction(const Patch& patch, const PatchCall& call, const Load& load,
-                  PairContact& contact) {
+void add_friction(const Patch& patch, const PatchCall& call, const Load& load, PairContact& contact,
+                  ContactEnergy& energy) {
     const PatchSlots chosen = choose_slots(call.points, call.history);
     const auto [scale, shift] = stand_in(patch, call, chosen, load);
-    const double dt = call.dt;
-    const Vec3 mean_spin = 0.5 * (call.pair.i.angular_velocity + call.pair.j.angular_velocity);
     for (std::size_t k = 0; k < chosen.count; ++k) {
         const ContactPoint& p = call.points[chosen.point[k]];
         const Vec3 place = p.position + shift;
-        const Share s = patch.share(p, dt);
+        const Share s = patch.share(p, call.dt);
         const Vec3 n = p.gradient.normalized();
         PatchHistory::Slot& slot = call.history.slots[k];
-        Vec3 spring = Vec3::Zero();
-        if (chosen.known[k])
-            spring = hertz::carried(slot.spring, slot.normal, n, mean_spin.dot(n) * dt);
-        const Vec3 velocity =
-            place == p.position ? s.velocity : relative_velocity(call.pair, place);
-        const Vec3 u_t = velocity - velocity.dot(n) * n;
-        const double k_t = scale * s.k_t;
-        contact.dissipated_energy += hertz::restiffen(
-            slot.stiffness, k_t, call.history.dissipated + contact.dissipated_energy, spring);
-        const double limit =
-            call.law.friction * scale * hertz::friction_load(call.law, s.elastic_part, s.force);
-        const hertz::TangentialForce t =
-            hertz::tangential_force(k_t, scale * s.gamma_t, limit, u_t, dt, spring);
-        slot = {p.feature, n, spring, k_t};
-        add_force(contact, t.force, place, call.pair);
-        contact.elastic_energy += t.elastic;
-        contact.dissipated_energy += t.dissipated;
+        const Sliding sliding{
+            place == p.position ? s.velocity : relative_velocity(call.pair, place),
+            n,
+            slot.normal,
+            spin_about(call.pair, n) * call.dt,
+            !chosen.known[k],
+            call.dt};
+        const double load_here = friction_load(call.law, s.normal.elastic_part, s.normal.size);
+        const SlippingSpring spring{scale * s.k_t, scale * s.gamma_t,
+                                    call.law.friction * scale * load_here};
+        const Vec3 force = friction_force(spring, sliding, call.history.dissipated, slot, energy);
+        slot.feature = p.feature;
+        slot.normal = n;
+        add_force(contact, force, place, call.pair);
     }
     call.history.used = chosen.count;
+}
+
+/// The patch as one contact.
+WholeContact whole_contact(const PatchCall& call, const Load& load, double overlap,
+                           double normal_force) {
+    const double size = load.direction.norm();
+    const Vec3 normal =
+        size > 0.0 ? Vec3(load.direction / size) : call.points.front().gradient.normalized();
+    const double force = std::max(load.force, 0.0);
+    return {call.pair,
+            call.dt,
+            !call.history.touched(),
+            normal,
+            call.history.normal,
+            force > 0.0 ? Vec3(load.moment / force) : call.points.front().position,
+            call.radius,
+            force / overlap,
+            friction_load(call.law, force, normal_force),
+            call.history.dissipated};
 }
 
 template <class Patch>
 PairContact patch_force(const PatchCall& call) {
     const Patch patch(call.points, call.pair, call.law, call.radius);
     PairContact contact;
+    ContactEnergy energy;
     Load load;
+    double normal_force = 0.0;
     for (const ContactPoint& p : call.points) {
         const Share s = patch.share(p, call.dt);
-        add_force(contact, s.force * p.gradient, p.position, call.pair);
-        load.add(s.elastic_part, p.position);
-        contact.elastic_energy += s.elastic;
-        contact.dissipated_energy += s.dissipated;
+        add_force(contact, s.normal.size * p.gradient, p.position, call.pair);
+        load.add(s.normal.elastic_part, p);
+        normal_force += s.normal.size;
+        energy.elastic += s.elastic;
+        energy.dissipated += s.normal.dissipated;
     }
-    contact.elastic_energy += patch.elastic();
-    const double normal_elastic = contact.elastic_energy;
-    if (call.law.friction > 0.0) add_friction(patch, call, load, contact);
+    energy.elastic += patch.elastic();
+    const double normal_elastic = energy.elastic;
+    const WholeContact whole = whole_contact(call, load, patch.overlap(), normal_force);
+    if (call.law.friction > 0.0) add_friction(patch, call, load, contact, energy);
+    const Vec3 moment =
+        end_step(call.law, whole,
+                 {call.local_radius, call.radius, patch.frequency() * call.dt, normal_elastic},
+                 call.history, energy);
+    contact.torque_i += moment;
+    contact.torque_j -= moment;
     contact.overlap = patch.overlap();
     contact.points = static_cast<std::uint32_t>(call.points.size());
-    call.history.dissipated += contact.dissipated_energy;
-    contact.dissipated_energy +=
-        hertz::age(call.law, call.local_radius, call.radius, patch.frequency() * call.dt,
-                   normal_elastic, call.history);
+    contact.elastic_energy = energy.elastic;
+    contact.dissipated_energy = energy.dissipated;
     return contact;
 }
 
@@ -267,13 +276,15 @@ bool is_single(std::span<const ContactPoint> points, const PatchHistory& history
 PairContact single_force(const ContactPoint& point, double local_radius, const PairState& pair,
                          const ContactLaw& law, double dt, PatchHistory& history) {
     PatchHistory::Slot& slot = history.slots[0];
-    PointHistory single{slot.normal,   slot.spring,    history.effective_radius,
-                        history.phase, slot.stiffness, history.dissipated};
+    PointHistory single;
+    static_cast<ContactHistory&>(single) = history;
+    static_cast<SpringHistory&>(single) = slot;
+    single.normal = slot.normal;
     PairContact contact = contact_force(point, local_radius, pair, law, dt, single);
-    slot = {point.feature, single.normal, single.spring, single.stiffness};
-    history.effective_radius = single.effective_radius;
-    history.phase = single.phase;
-    history.dissipated = single.dissipated;
+    static_cast<ContactHistory&>(history) = single;
+    static_cast<SpringHistory&>(slot) = single;
+    slot.feature = point.feature;
+    slot.normal = single.normal;
     history.used = 1;
     return contact;
 }
@@ -284,15 +295,17 @@ PairContact contact_force(std::span<const ContactPoint> points, double local_rad
                           const PairState& pair, const ContactLaw& law, double dt,
                           PatchHistory& history) {
     if (points.empty()) {
-        if (history.effective_radius > 0.0) history = {};
+        if (history.touched()) history = {};
         return {};
     }
     if (is_single(points, history))
         return single_force(points[0], local_radius, pair, law, dt, history);
     PatchCall call{points, pair, law, dt, history, 0.0, local_radius};
-    call.radius = hertz::effective_radius(law, local_radius, history);
-    if (law.multi_contact == ContactLaw::MultiContact::sum) return patch_force<SumPatch>(call);
-    if (law.multi_contact == ContactLaw::MultiContact::norm) return patch_force<NormPatch>(call);
+    call.radius = effective_radius(law, local_radius, history);
+    if (law.geometry.multi_contact == ContactLaw::MultiContact::sum)
+        return patch_force<SumPatch>(call);
+    if (law.geometry.multi_contact == ContactLaw::MultiContact::norm)
+        return patch_force<NormPatch>(call);
     ContactPoint deepest = points.front();
     for (const ContactPoint& p : points)
         if (p.overlap > deepest.overlap) deepest = p;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/law/point_force.hpp"
 
-#include "runtime/contact/law/contact_mass.hpp"
+#include "runtime/contact/law/contact_point.hpp"
 
 namespace dem {
 
@@ -20,14 +20,10 @@ PairContact contact_force(const ContactPoint& point, double local_radius, const 
     // The overlap changes by slope times the way along the normal: f g is the force of a potential.
     const PointForce f = point_force(motion, local_radius, law, dt, history);
 
-    PairContact contact;
+    PairContact contact = point_contact(f, point.overlap);
     contact.force = f.normal * g + f.tangential;
-    contact.torque_i = r_i.cross(contact.force);
-    contact.torque_j = -r_j.cross(contact.force);
-    contact.overlap = point.overlap;
-    contact.elastic_energy = f.elastic;
-    contact.dissipated_energy = f.dissipated;
-    contact.points = 1;
+    contact.torque_i += r_i.cross(contact.force);
+    contact.torque_j -= r_j.cross(contact.force);
     return contact;
 }
 

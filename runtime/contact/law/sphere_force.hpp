@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "runtime/contact/law/contact_mass.hpp"
 #include "runtime/contact/law/point_force.hpp"
 
 namespace dem {
@@ -12,7 +11,7 @@ enum class Partner { sphere, wall };
 struct SpherePoint {
     Vec3 normal;     ///< unit, towards i
     double overlap;  ///< [m]
-    Vec3 lever;      ///< contact point from the centre of i, along the normal [m]
+    Vec3 lever;      ///< contact point from the center of i, along the normal [m]
     double radius;   ///< R* [m]
 };
 
@@ -27,18 +26,14 @@ PairContact sphere_force(const SpherePoint& point, const PairState& pair, const 
     const PointForce f = point_force(motion, point.radius, law, dt, history);
     const Vec3 lever_j = point.lever - pair.displacement;
 
-    PairContact contact;
+    PairContact contact = point_contact(f, point.overlap);
     contact.force = f.normal * point.normal + f.tangential;
-    contact.torque_i = point.lever.cross(f.tangential);
+    contact.torque_i += point.lever.cross(f.tangential);
     if constexpr (partner == Partner::sphere) {
-        contact.torque_j = -lever_j.cross(f.tangential);
+        contact.torque_j -= lever_j.cross(f.tangential);
     } else {
-        contact.torque_j = -lever_j.cross(contact.force);
+        contact.torque_j -= lever_j.cross(contact.force);
     }
-    contact.overlap = point.overlap;
-    contact.elastic_energy = f.elastic;
-    contact.dissipated_energy = f.dissipated;
-    contact.points = 1;
     return contact;
 }
 

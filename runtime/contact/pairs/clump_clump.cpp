@@ -23,19 +23,18 @@ ContactPoint point_of(std::uint32_t a, std::uint32_t b, const SpherePairs::Sampl
     return {s.center_i - (s.radius_i - 0.5 * overlap) * n, n, overlap, std::uint64_t{a} << 32 | b};
 }
 
-PairContact between(const PlacedSpheres& i, const PlacedSpheres& j, const NodeCall& call) {
-    const NodeMemory& memory = call.memory;
+PairContact between(const PlacedSpheres& i, const PlacedSpheres& j, const PatchCall& call) {
     const double smaller = std::min(i.bound().radius, j.bound().radius);
     const double larger = std::max(i.bound().radius, j.bound().radius);
     const double margin = list_margin(smaller);
     const double rounding = clump_rounding(larger);
-    if (memory.travel >= memory.cache.listed_until) {
+    if (call.travel >= call.memory.cache.listed_until) {
         const double gap = bounding_gap(i, j) - rounding;
-        if (gap > margin) return keep_apart(gap, memory);
+        if (gap > margin) return apart(call, gap);
     }
     const SpherePairs pairs{i, j, rounding};
     const auto touching =
-        touching_spheres(pairs, margin, memory, [&](std::uint32_t k, const auto& sample) {
+        touching_spheres(pairs, margin, call, [&](std::uint32_t k, const auto& sample) {
             return point_of(k / j.count(), k % j.count(), sample);
         });
     const SpherePairs::Sample& deepest = touching.deepest;
@@ -45,31 +44,19 @@ PairContact between(const PlacedSpheres& i, const PlacedSpheres& j, const NodeCa
     return contact_force(touching.points, radius, call);
 }
 
-ClumpSphere as_clump(const Sphere& sphere) {
-    return {0.0, 0.0, 0.0, sphere.radius, 0.0};
-}
-
 }  // namespace
 
-PairContact collide(const Clump& a, const Clump& b, const PairState& pair, const ContactLaw& law,
-                    double dt, const NodeMemory& memory) {
+PairContact collide(const Clump& a, const Clump& b, const PatchCall& call) {
+    const PairState& pair = call.pair;
     return between({a, pair.i.orientation, Vec3::Zero()},
-                   {b, pair.j.orientation, pair.displacement}, {pair, law, dt, memory});
+                   {b, pair.j.orientation, pair.displacement}, call);
 }
 
-PairContact collide(const Sphere& a, const Clump& b, const PairState& pair, const ContactLaw& law,
-                    double dt, const NodeMemory& memory) {
-    const ClumpSphere sphere = as_clump(a);
+PairContact collide(const Sphere& a, const Clump& b, const PatchCall& call) {
+    const PairState& pair = call.pair;
+    const ClumpSphere sphere{0.0, 0.0, 0.0, a.radius, 0.0};
     return between({{&sphere, 1}, {}, Quat::Identity(), Vec3::Zero()},
-                   {b, pair.j.orientation, pair.displacement}, {pair, law, dt, memory});
-}
-
-PairContact collide(const Clump& a, const Sphere& b, const PairState& pair, const ContactLaw& law,
-                    double dt, const NodeMemory& memory) {
-    const ClumpSphere sphere = as_clump(b);
-    return between({a, pair.i.orientation, Vec3::Zero()},
-                   {{&sphere, 1}, {}, Quat::Identity(), pair.displacement},
-                   {pair, law, dt, memory});
+                   {b, pair.j.orientation, pair.displacement}, call);
 }
 
 }  // namespace dem

@@ -10,11 +10,7 @@ namespace dem {
 /// Two clumps, or a clump and a sphere: every pair of their spheres that overlap is a contact point
 /// in the middle of the overlap, with the sphere of i and that of j as its feature; all act
 /// together (contact_force for many points). R* is that of the deepest pair.
-PairContact collide(const Clump& a, const Clump& b, const PairState& pair, const ContactLaw& law,
-                    double dt, const NodeMemory& memory);
-PairContact collide(const Sphere& a, const Clump& b, const PairState& pair, const ContactLaw& law,
-                    double dt, const NodeMemory& memory);
-PairContact collide(const Clump& a, const Sphere& b, const PairState& pair, const ContactLaw& law,
-                    double dt, const NodeMemory& memory);
+PairContact collide(const Clump& a, const Clump& b, const PatchCall& call);
+PairContact collide(const Sphere& a, const Clump& b, const PatchCall& call);
 
 }  // namespace dem

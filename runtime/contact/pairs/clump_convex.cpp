@@ -6,35 +6,15 @@
 
 namespace dem {
 
-namespace {
-
-/// `sign`: 1 where the clump is i.
-PairContact between(const PlacedSpheres& spheres, const ConvexField& field, double sign,
-                    const NodeCall& call) {
-    const double margin =
-        list_margin(std::min(spheres.bound().radius, field.shape->bounding_radius));
-    return clump_in_field(spheres, field, sign, margin, 2.0 / field.shape->equivalent_diameter,
-                          call);
-}
-
-ConvexField field_of(const ConvexShape& shape, const Quat& orientation, const Vec3& center) {
-    return {
-        {clump_rounding(shape.bounding_radius)}, &shape, orientation.toRotationMatrix(), center};
-}
-
-}  // namespace
-
-PairContact collide(const Clump& a, const ConvexShape& b, const PairState& pair,
-                    const ContactLaw& law, double dt, const NodeMemory& memory) {
-    return between({a, pair.i.orientation, Vec3::Zero()},
-                   field_of(b, pair.j.orientation, pair.displacement), 1.0,
-                   {pair, law, dt, memory});
-}
-
-PairContact collide(const ConvexShape& a, const Clump& b, const PairState& pair,
-                    const ContactLaw& law, double dt, const NodeMemory& memory) {
-    return between({b, pair.j.orientation, pair.displacement},
-                   field_of(a, pair.i.orientation, Vec3::Zero()), -1.0, {pair, law, dt, memory});
+PairContact collide(const Clump& a, const ConvexShape& b, const PatchCall& call) {
+    const PairState& pair = call.pair;
+    const PlacedSpheres spheres(a, pair.i.orientation, Vec3::Zero());
+    const ConvexField field{{clump_rounding(b.bounding_radius)},
+                            &b,
+                            pair.j.orientation.toRotationMatrix(),
+                            pair.displacement};
+    const double margin = list_margin(std::min(spheres.bound().radius, b.bounding_radius));
+    return clump_in_field(spheres, field, margin, 2.0 / b.equivalent_diameter, call);
 }
 
 }  // namespace dem

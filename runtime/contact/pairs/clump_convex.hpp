@@ -9,9 +9,6 @@ namespace dem {
 
 /// A clump and a convex shape: the exact distance of the shape's surface at the centers of the
 /// spheres; all spheres that touch act together. R* is that of the deepest.
-PairContact collide(const Clump& a, const ConvexShape& b, const PairState& pair,
-                    const ContactLaw& law, double dt, const NodeMemory& memory);
-PairContact collide(const ConvexShape& a, const Clump& b, const PairState& pair,
-                    const ContactLaw& law, double dt, const NodeMemory& memory);
+PairContact collide(const Clump& a, const ConvexShape& b, const PatchCall& call);
 
 }  // namespace dem

@@ -11,18 +11,6 @@ namespace dem {
 
 namespace {
 
-/// The pair seen from the center of i. `sign`: 1 where the clump is i.
-struct ClumpAndShape {
-    const Clump& clump;
-    const SrShape& shape;
-    const Quat& clump_orientation;
-    const Quat& shape_orientation;
-    Vec3 clump_center, shape_center;
-    double sign;
-
-    PlacedSpheres spheres() const { return {clump, clump_orientation, clump_center}; }
-};
-
 /// The distance field as the centers of spheres see it. They touch some way off the surface, where
 /// the interpolant is known to SdfQuadtree::lipschitz_slack and no better.
 struct OffsetField : SrField {
@@ -86,17 +74,27 @@ struct SpheresOnConvex {
     }
 };
 
+/// The clump is i.
+struct ClumpAndShape {
+    const Clump& clump;
+    const SrShape& shape;
+    const PairState& pair;
+
+    PlacedSpheres spheres() const { return {clump, pair.i.orientation, Vec3::Zero()}; }
+    OffsetField field() const { return {shape, pair.displacement, pair.j.orientation}; }
+};
+
 double margin_of(const ClumpAndShape& pair) {
     return list_margin(std::min(pair.spheres().bound().radius, pair.shape.bounding_radius));
 }
 
-PairContact on_convex(const ClumpAndShape& pair, const NodeCall& call) {
-    const OffsetField field(pair.shape, pair.shape_center, pair.shape_orientation);
+PairContact on_convex(const ClumpAndShape& pair, const PatchCall& call) {
+    const OffsetField field = pair.field();
     const PlacedSpheres spheres = pair.spheres();
     const SpheresOnConvex elements(spheres, field, pair.shape);
-    const auto touching = touching_spheres(
-        elements, margin_of(pair), call.memory, [&](std::uint32_t k, const auto& s) {
-            return ContactPoint{s.center + s.at.middle, -pair.sign * s.at.n, -s.distance, k};
+    const auto touching =
+        touching_spheres(elements, margin_of(pair), call, [&](std::uint32_t k, const auto& s) {
+            return ContactPoint{s.center + s.at.middle, -s.at.n, -s.distance, k};
         });
     if (touching.points.empty()) return contact_force(touching.points, 0.0, call);
     const SpheresOnConvex::Sample& deepest = touching.deepest;
@@ -110,15 +108,15 @@ double effective_radius(double sphere_radius, const SrShape& shape, double of_sh
     return 1.0 / (contact_curvature(of_shape, shape.equivalent_diameter) + 1.0 / sphere_radius);
 }
 
-PairContact by_distance(const ClumpAndShape& pair, const NodeCall& call) {
+PairContact by_distance(const ClumpAndShape& pair, const PatchCall& call) {
     const SrShape& shape = pair.shape;
-    const OffsetField field(shape, pair.shape_center, pair.shape_orientation);
+    const OffsetField field = pair.field();
     const PlacedSpheres spheres = pair.spheres();
     const SpheresInField<OffsetField> elements{spheres, field};
     const auto touching = touching_spheres(
-        elements, margin_of(pair) + field.slack, call.memory, [&](std::uint32_t k, const auto& s) {
-            return sphere_point(k, s, node_normal(field, s.center, s.field, call.law.node_normal),
-                                pair.sign);
+        elements, margin_of(pair) + field.slack, call, [&](std::uint32_t k, const auto& s) {
+            return sphere_point(
+                k, s, node_normal(field, s.center, s.field, call.law.geometry.node_normal));
         });
     if (touching.points.empty()) return contact_force(touching.points, 0.0, call);
     const SrField::Sample& s = touching.deepest.field;
@@ -156,12 +154,13 @@ struct UnionField : ExactField {
     static bool accepts(const Vec3& /*x*/) { return true; }
 };
 
-PairContact by_nodes(const ClumpAndShape& pair, const NodeCall& call) {
+PairContact by_nodes(const ClumpAndShape& pair, const PatchCall& call) {
     const SrShape& shape = pair.shape;
-    const Quat to_shape = pair.shape_orientation.conjugate();
-    const NodeFrame frame{pair.shape_orientation.toRotationMatrix(), pair.shape_center, -pair.sign};
-    const PlacedSpheres spheres(pair.clump, to_shape * pair.clump_orientation,
-                                to_shape * Vec3(pair.clump_center - pair.shape_center));
+    const BodyState& j = pair.pair.j;
+    const Quat to_shape = j.orientation.conjugate();
+    const NodeFrame frame{j.orientation.toRotationMatrix(), pair.pair.displacement, -1.0};
+    const PlacedSpheres spheres(pair.clump, to_shape * pair.pair.i.orientation,
+                                to_shape * Vec3(-pair.pair.displacement));
     const UnionField field{{clump_rounding(spheres.bound().radius + shape.bounding_radius)},
                            spheres};
     const auto touching = touching_nodes(shape.nodes, field, frame, list_margin(shape), call);
@@ -171,35 +170,20 @@ PairContact by_nodes(const ClumpAndShape& pair, const NodeCall& call) {
     return contact_force(touching.points, effective_radius(of_sphere, shape, of_shape), call);
 }
 
-PairContact touch(const ClumpAndShape& pair, const NodeCall& call) {
-    const NodeMemory& memory = call.memory;
-    const PlacedSpheres spheres = pair.spheres();
-    const Clump::Ball bound = spheres.bound();
-    if (memory.travel >= memory.cache.listed_until) {
-        const double gap = (spheres.place(bound.center()) - pair.shape_center).norm() -
-                           bound.radius - pair.shape.bounding_radius -
-                           clump_rounding(bound.radius + pair.shape.bounding_radius);
-        if (gap > margin_of(pair)) return keep_apart(gap, memory);
-    }
-    if (pair.shape.is_convex) return on_convex(pair, call);
-    return pair.clump.largest_radius <= pair.shape.sdf.margin ? by_distance(pair, call)
-                                                              : by_nodes(pair, call);
-}
-
 }  // namespace
 
-PairContact collide(const Clump& a, const SrShape& b, const PairState& pair, const ContactLaw& law,
-                    double dt, const NodeMemory& memory) {
-    return touch(
-        {a, b, pair.i.orientation, pair.j.orientation, Vec3::Zero(), pair.displacement, 1.0},
-        {pair, law, dt, memory});
-}
-
-PairContact collide(const SrShape& a, const Clump& b, const PairState& pair, const ContactLaw& law,
-                    double dt, const NodeMemory& memory) {
-    return touch(
-        {b, a, pair.j.orientation, pair.i.orientation, pair.displacement, Vec3::Zero(), -1.0},
-        {pair, law, dt, memory});
+PairContact collide(const Clump& a, const SrShape& b, const PatchCall& call) {
+    const ClumpAndShape pair{a, b, call.pair};
+    const PlacedSpheres spheres = pair.spheres();
+    const Clump::Ball bound = spheres.bound();
+    if (call.travel >= call.memory.cache.listed_until) {
+        const double gap = (spheres.place(bound.center()) - call.pair.displacement).norm() -
+                           bound.radius - b.bounding_radius -
+                           clump_rounding(bound.radius + b.bounding_radius);
+        if (gap > margin_of(pair)) return apart(call, gap);
+    }
+    if (b.is_convex) return on_convex(pair, call);
+    return a.largest_radius <= b.sdf.margin ? by_distance(pair, call) : by_nodes(pair, call);
 }
 
 }  // namespace dem

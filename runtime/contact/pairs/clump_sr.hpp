@@ -13,9 +13,6 @@ namespace dem {
 /// each touches where the shape is nearest to its center, by the distance field; otherwise the
 /// nodes of the shape that lie inside the spheres act, as in sphere_sr_nodes.hpp and for its
 /// reasons. The choice depends on the two shapes only.
-PairContact collide(const Clump& a, const SrShape& b, const PairState& pair, const ContactLaw& law,
-                    double dt, const NodeMemory& memory);
-PairContact collide(const SrShape& a, const Clump& b, const PairState& pair, const ContactLaw& law,
-                    double dt, const NodeMemory& memory);
+PairContact collide(const Clump& a, const SrShape& b, const PatchCall& call);
 
 }  // namespace dem

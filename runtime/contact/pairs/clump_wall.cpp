@@ -6,22 +6,20 @@
 namespace dem {
 
 template <AnyWall Wall>
-PairContact collide(const Clump& a, const Wall& wall, const PairState& pair, const ContactLaw& law,
-                    double dt, const NodeMemory& memory) {
+PairContact collide(const Clump& a, const Wall& wall, const PatchCall& call) {
+    const PairState& pair = call.pair;
     const PlacedSpheres spheres(a, pair.i.orientation, Vec3::Zero());
     const double radius = spheres.bound().radius;
     const WallFrame frame{pair.displacement, body_axis(pair.j.orientation)};
     return wall.with_field(frame, clump_rounding(radius), [&](const auto& field) {
         const Vec3 center = Vec3::Zero();
-        if (field.lets_pass(center)) return keep_apart(-field.sample(center).distance, memory);
-        return clump_in_field(spheres, field, 1.0, list_margin(radius), 0.0,
-                              {pair, law, dt, memory});
+        if (field.lets_pass(center)) return apart(call, -field.sample(center).distance);
+        return clump_in_field(spheres, field, list_margin(radius), 0.0, call);
     });
 }
 
-#define DEM_CLUMP_AT(Wall)                                                                       \
-    template PairContact collide(const Clump&, const Wall&, const PairState&, const ContactLaw&, \
-                                 double, const NodeMemory&);
+#define DEM_CLUMP_AT(Wall) \
+    template PairContact collide(const Clump&, const Wall&, const PatchCall&);
 DEM_FOR_EACH_WALL_SHAPE(DEM_CLUMP_AT)
 
 }  // namespace dem

@@ -12,7 +12,6 @@ namespace dem {
 /// the open end of a tube do not touch. The wall's curvature does not enter R*, which is the radius
 /// of the deepest sphere.
 template <AnyWall Wall>
-PairContact collide(const Clump& a, const Wall& wall, const PairState& pair, const ContactLaw& law,
-                    double dt, const NodeMemory& memory);
+PairContact collide(const Clump& a, const Wall& wall, const PatchCall& call);
 
 }  // namespace dem

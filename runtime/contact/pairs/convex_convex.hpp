@@ -8,13 +8,9 @@
 
 namespace dem {
 
-/// Two convex shapes, and one with a sphere (docs/contact-convex.md): GJK on their cores, then the
+/// Two convex shapes, and a sphere with one (docs/contact-convex.md): GJK on their cores, then the
 /// features near the nearest points as one contact.
-PairContact collide(const ConvexShape& a, const ConvexShape& b, const PairState& pair,
-                    const ContactLaw& law, double dt, const ConvexMemory& memory);
-PairContact collide(const Sphere& a, const ConvexShape& b, const PairState& pair,
-                    const ContactLaw& law, double dt, const ConvexMemory& memory);
-PairContact collide(const ConvexShape& a, const Sphere& b, const PairState& pair,
-                    const ContactLaw& law, double dt, const ConvexMemory& memory);
+PairContact collide(const ConvexShape& a, const ConvexShape& b, const CoreCall& call);
+PairContact collide(const Sphere& a, const ConvexShape& b, const CoreCall& call);
 
 }  // namespace dem

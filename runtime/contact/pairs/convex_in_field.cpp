@@ -7,17 +7,14 @@
 namespace dem {
 
 template <AnyWall Wall>
-PairContact collide(const ConvexShape& a, const Wall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, const ConvexMemory& memory) {
-    const WallFrame frame{pair.displacement, body_axis(pair.j.orientation)};
-    return wall.with_field(frame, 0.0, [&](const auto& field) {
-        return convex_in_field(a, field, {pair, law, dt, memory});
-    });
+PairContact collide(const ConvexShape& a, const Wall& wall, const CoreCall& call) {
+    const WallFrame frame{call.pair.displacement, body_axis(call.pair.j.orientation)};
+    return wall.with_field(frame, 0.0,
+                           [&](const auto& field) { return convex_in_field(a, field, call); });
 }
 
-#define DEM_CONVEX_AT(Wall)                                                         \
-    template PairContact collide(const ConvexShape&, const Wall&, const PairState&, \
-                                 const ContactLaw&, double, const ConvexMemory&);
+#define DEM_CONVEX_AT(Wall) \
+    template PairContact collide(const ConvexShape&, const Wall&, const CoreCall&);
 DEM_FOR_EACH_WALL_SHAPE(DEM_CONVEX_AT)
 
 }  // namespace dem

@@ -108,16 +108,16 @@ class CornerFeatures {
 };
 
 template <WallField Field>
-PairContact convex_in_field(const ConvexShape& a, const Field& field, const ConvexCall& call) {
+PairContact convex_in_field(const ConvexShape& a, const Field& field, const CoreCall& call) {
     const Vec3 center = Vec3::Zero();
     const double height = field.sample(center).distance;
-    if (height > a.bounding_radius) return keep_apart(call.memory, height - a.bounding_radius);
-    if (field.lets_pass(center)) return keep_apart(call.memory, -height);
+    if (height > a.bounding_radius) return apart(call, height - a.bounding_radius);
+    if (field.lets_pass(center)) return apart(call, -height);
     const PlacedCore core(a, call.pair.i.orientation, center);
     const CornerFeatures<Field> corners(core, field);
     const LowestPoint lowest = lowest_point(core, field, corners.lowest());
     const FeaturePoint deepest = corners.point(lowest.position);
-    if (!(deepest.overlap > 0.0)) return keep_apart(call.memory, 0.0);
+    if (!(deepest.overlap > 0.0)) return apart(call, 0.0);
     FeatureSum features(call.pair, deepest.overlap);
     if (a.is_strictly_convex()) {
         if (field.accepts(lowest.position)) features.add(deepest, 1.0);
@@ -130,7 +130,7 @@ PairContact convex_in_field(const ConvexShape& a, const Field& field, const Conv
             features.add(others, 1.0);
         }
     }
-    if (features.empty()) return keep_apart(call.memory, 0.0);
+    if (features.empty()) return apart(call, 0.0);
     return contact_force(features, 0.5 * a.equivalent_diameter, call.law, call.dt,
                          call.memory.history);
 }

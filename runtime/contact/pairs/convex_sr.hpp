@@ -9,16 +9,10 @@ namespace dem {
 /// A convex surface of revolution and a convex shape: the nearest points of the surface and of the
 /// core. A surface of revolution has no straight parts (its flat ones are crowned), so that one
 /// point is all.
-PairContact collide(const SrShape& a, const ConvexShape& b, const PairState& pair,
-                    const ContactLaw& law, double dt, const ConvexMemory& memory);
-PairContact collide(const ConvexShape& a, const SrShape& b, const PairState& pair,
-                    const ContactLaw& law, double dt, const ConvexMemory& memory);
+PairContact collide(const SrShape& a, const ConvexShape& b, const CoreCall& call);
 
 /// Any surface of revolution with nodes and a convex shape: the nodes in the exact distance of the
 /// shape.
-PairContact collide(const SrShape& a, const ConvexShape& b, const PairState& pair,
-                    const ContactLaw& law, double dt, const NodeMemory& memory);
-PairContact collide(const ConvexShape& a, const SrShape& b, const PairState& pair,
-                    const ContactLaw& law, double dt, const NodeMemory& memory);
+PairContact collide(const SrShape& a, const ConvexShape& b, const PatchCall& call);
 
 }  // namespace dem

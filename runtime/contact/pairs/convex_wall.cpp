@@ -153,14 +153,14 @@ class TubeFeatures {
     double gap_ = infinite;
 };
 
-PairContact in_tube(const ConvexShape& a, const CylinderWall& wall, const ConvexCall& call) {
+PairContact in_tube(const ConvexShape& a, const CylinderWall& wall, const CoreCall& call) {
     const Vec3 axis = body_axis(call.pair.j.orientation);
     const AxialPoint c = axial_point(-call.pair.displacement, axis);
     const double clear = wall.radius - c.r - a.bounding_radius;
-    if (clear > 0.0) return keep_apart(call.memory, clear);
+    if (clear > 0.0) return apart(call, clear);
     const PlacedCore core(a, call.pair.i.orientation, Vec3::Zero());
     TubeFeatures tube(core, wall, axis, call.pair);
-    std::vector<FeaturePoint>& points = call.memory.scratch.points;
+    std::vector<FeaturePoint>& points = call.scratch.features->points;
     points.clear();
     double deepest = 0.0;
     // Places between others never are the deepest: they wait at the end.
@@ -173,7 +173,7 @@ PairContact in_tube(const ConvexShape& a, const CylinderWall& wall, const Convex
         else
             between[between_count++] = p;
     });
-    if (points.empty()) return keep_apart(call.memory, std::max(tube.gap(), 0.0));
+    if (points.empty()) return apart(call, std::max(tube.gap(), 0.0));
     FeatureSum features(call.pair, deepest);
     for (const FeaturePoint& p : points) features.add(p, 1.0);
     for (std::size_t k = 0; k < between_count; ++k) features.add(between[k], -1.0);
@@ -182,11 +182,11 @@ PairContact in_tube(const ConvexShape& a, const CylinderWall& wall, const Convex
 }
 
 /// The part of a solid rod that a body can reach, as a convex shape without rounding.
-PairContact at_rod(const ConvexShape& a, const CylinderWall& wall, const ConvexCall& call) {
+PairContact at_rod(const ConvexShape& a, const CylinderWall& wall, const CoreCall& call) {
     const Vec3 axis = body_axis(call.pair.j.orientation);
     const AxialPoint c = axial_point(-call.pair.displacement, axis);
     const double clear = std::max(c.r - wall.radius, wall.beyond_end(c.z)) - a.bounding_radius;
-    if (clear > 0.0) return keep_apart(call.memory, clear);
+    if (clear > 0.0) return apart(call, clear);
     const double reach = 2.0 * a.bounding_radius;
     const double low = wall.is_endless() ? c.z - reach : std::max(0.0, c.z - reach);
     const double high = wall.is_endless() ? c.z + reach : std::min(wall.length, c.z + reach);
@@ -202,28 +202,27 @@ PairContact at_rod(const ConvexShape& a, const CylinderWall& wall, const ConvexC
 
 }  // namespace
 
-PairContact collide(const ConvexShape& a, const PlaneWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, const ConvexMemory& memory) {
+PairContact collide(const ConvexShape& a, const PlaneWall& wall, const CoreCall& call) {
+    const PairState& pair = call.pair;
+    ConvexHistory& history = call.memory.history;
     const PlaneField plane{{0.0}, {pair.displacement, body_axis(pair.j.orientation)}, wall};
     const double height = plane.distance(Vec3::Zero());
-    if (height > a.bounding_radius) return keep_apart(memory, height - a.bounding_radius);
-    if (plane.lets_pass(Vec3::Zero())) return keep_apart(memory, -height);
+    if (height > a.bounding_radius) return apart(call, height - a.bounding_radius);
+    if (plane.lets_pass(Vec3::Zero())) return apart(call, -height);
     const PlacedCore core(a, pair.i.orientation, Vec3::Zero());
-    const CorePoint lowest = core.support(-plane.frame.axis, memory.history.search.a[0].vertex);
+    const CorePoint lowest = core.support(-plane.frame.axis, history.search.a[0].vertex);
     const double deepest = a.rounding - plane.distance(lowest.position);
-    if (!(deepest > 0.0)) return keep_apart(memory, -deepest);
+    if (!(deepest > 0.0)) return apart(call, -deepest);
     FeatureSum features(pair, deepest);
-    PlaneFeatures(core, plane, features).add_all(lowest.vertex, memory.scratch);
-    if (features.empty()) return keep_apart(memory, 0.0);
+    PlaneFeatures(core, plane, features).add_all(lowest.vertex, *call.scratch.features);
+    if (features.empty()) return apart(call, 0.0);
     PairContact contact =
-        contact_force(features, 0.5 * a.equivalent_diameter, law, dt, memory.history);
-    memory.history.search.a[0].vertex = lowest.vertex;
+        contact_force(features, 0.5 * a.equivalent_diameter, call.law, call.dt, history);
+    history.search.a[0].vertex = lowest.vertex;
     return contact;
 }
 
-PairContact collide(const ConvexShape& a, const CylinderWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, const ConvexMemory& memory) {
-    const ConvexCall call{pair, law, dt, memory};
+PairContact collide(const ConvexShape& a, const CylinderWall& wall, const CoreCall& call) {
     return wall.inside ? in_tube(a, wall, call) : at_rod(a, wall, call);
 }
 

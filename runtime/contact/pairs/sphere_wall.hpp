@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/shapes/sphere.hpp"
-#include "runtime/contact/contact_types.hpp"
+#include "runtime/contact/law/contact_law.hpp"
 #include "runtime/contact/walls/wall_shapes.hpp"
 
 namespace dem {
@@ -10,7 +10,6 @@ namespace dem {
 /// A sphere against a wall (wall_shapes.hpp), which it touches in the point of the wall nearest to
 /// its center. The wall's curvature does not enter R*.
 template <AnyWall Wall>
-PairContact collide(const Sphere& a, const Wall& wall, const PairState& pair, const ContactLaw& law,
-                    double dt, PointHistory& history);
+PairContact collide(const Sphere& a, const Wall& wall, const SphereCall& call);
 
 }  // namespace dem

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/pairs/sr_sr_continuous.hpp"
 
-#include "runtime/contact/law/contact_mass.hpp"
+#include "runtime/contact/law/motion.hpp"
 #include "runtime/contact/law/point_force.hpp"
 #include "runtime/contact/smooth/rival_normal.hpp"
 #include "runtime/contact/smooth/smooth_contact.hpp"
@@ -47,14 +47,10 @@ PairContact force_at(const CommonNormal& at, double local_radius, const PairStat
     motion.inverse_mass = inverse_mass_at(pair, law, at.n, at.middle);
     const PointForce f = point_force(motion, local_radius, law, dt, history);
 
-    PairContact contact;
+    PairContact contact = point_contact(f, at.f);
     contact.force = f.tangential - f.normal * at.n;
-    contact.torque_i = at.middle.cross(contact.force);
-    contact.torque_j = (pair.displacement - at.middle).cross(contact.force);
-    contact.overlap = at.f;
-    contact.elastic_energy = f.elastic;
-    contact.dissipated_energy = f.dissipated;
-    contact.points = 1;
+    contact.torque_i += at.middle.cross(contact.force);
+    contact.torque_j += (pair.displacement - at.middle).cross(contact.force);
     return contact;
 }
 
@@ -74,14 +70,6 @@ FollowedNormal first_normal(const SupportI& i, const SupportJ& j, const Vec3& d)
 }
 
 // ---- Bodies with edges: the least of several minima (rival_normal.hpp).
-
-/// What a kernel was called with, besides the shapes.
-struct Call {
-    const PairState& pair;
-    const ContactLaw& law;
-    double dt;
-    const ContactMemory<PointHistory>& memory;
-};
 
 double overlap_rate(const PairState& pair, const CommonNormal& at) {
     return motion_at(pair, at.middle, -at.n, at.f).overlap_rate;
@@ -106,9 +94,8 @@ double share_of_rival(const PairState& pair, double dt, const CommonNormal& leas
 
 /// Moves the normal force from one place to another by a share of what it is.
 void share_force(double share, const CommonNormal& least, const CommonNormal& rival,
-                 const Call& call, PairContact& contact) {
-    ContactLaw law = call.law;
-    law.friction = 0.0;
+                 const SmoothCall& call, PairContact& contact) {
+    const ContactLaw law = frictionless(call.law);
     const PointHistory& now = call.memory.history;
     for (const auto& [at, part] : {std::pair{least, -share}, std::pair{rival, share}}) {
         PointHistory history{};
@@ -122,7 +109,7 @@ void share_force(double share, const CommonNormal& least, const CommonNormal& ri
 }
 
 PairContact contact_of_least(const NormalProbe& known, const Side<SrSupport>& i,
-                             const Side<SrSupport>& j, const Call& call) {
+                             const Side<SrSupport>& j, const SmoothCall& call) {
     const PairState& pair = call.pair;
     const Vec3& d = pair.displacement;
     NormalProbe least = descend(i.support, j.support, d, known);
@@ -130,10 +117,10 @@ PairContact contact_of_least(const NormalProbe& known, const Side<SrSupport>& i,
         rival_normal(least, i.support, j.support, d, least.f + longest_way(i, j, pair, call.dt));
     if (rival && rival->f < least.f) std::swap(least, *rival);
     const CommonNormal at = result_of(least, d);
-    if (!(at.f > 0.0)) return no_contact(call.memory, -at.f, at.n);
+    if (!(at.f > 0.0)) return apart(call, -at.f, at.n);
     PointHistory& history = call.memory.history;
     const double radius =
-        hertz::needs_local_radius(call.law, history) ? local_radius(i, j, at.n, call.law) : 0.0;
+        needs_local_radius(call.law, history) ? local_radius(i, j, at.n, call.law) : 0.0;
     PairContact contact = force_at(at, radius, pair, call.law, call.dt, history);
     if (!rival || !(rival->f > 0.0)) return contact;
     const CommonNormal other = result_of(*rival, d);
@@ -143,50 +130,43 @@ PairContact contact_of_least(const NormalProbe& known, const Side<SrSupport>& i,
 }
 
 template <class SupportI, class SupportJ>
-PairContact convex_contact(const Side<SupportI>& i, const Side<SupportJ>& j, const PairState& pair,
-                           const ContactLaw& law, double dt,
-                           const ContactMemory<PointHistory>& memory) {
-    PointHistory& history = memory.history;
+PairContact convex_contact(const Side<SupportI>& i, const Side<SupportJ>& j,
+                           const SmoothCall& call) {
+    const PairState& pair = call.pair;
+    auto& [history, miss] = call.memory;
     const Vec3& d = pair.displacement;
     const double distance = d.norm();
-    const bool touched = history.effective_radius > 0.0;
+    const bool touched = history.touched();
     const double reach = i.bounding_radius + j.bounding_radius;
-    const Vec3 axis = memory.miss.axis;
-    if (distance > reach) return no_contact(memory, distance - reach, axis);
+    const Vec3 axis = miss.axis;
+    if (distance > reach) return apart(call, distance - reach, axis);
 
     if (!touched && axis.squaredNorm() > 0.0) {
         const NormalProbe p = common_normal(i.support, j.support, d, unit_again(axis));
-        if (p.f < -NormalSearch::margin * distance) return no_contact(memory, -p.f, p.n);
+        if (p.f < -NormalSearch::margin * distance) return apart(call, -p.f, p.n);
     }
     const FollowedNormal found =
         touched ? followed_normal(i.support, j.support, d, -Vec3(history.normal))
                 : first_normal(i.support, j.support, d);
     const CommonNormal& at = found.at;
-    if (!(at.f > 0.0)) return no_contact(memory, -at.f, at.n);
+    if (!(at.f > 0.0)) return apart(call, -at.f, at.n);
     if constexpr (std::is_same_v<SupportI, SrSupport> && std::is_same_v<SupportJ, SrSupport>) {
         if (!is_least(found.probe, i.support, j.support, d))
-            return contact_of_least(found.probe, i, j, {pair, law, dt, memory});
+            return contact_of_least(found.probe, i, j, call);
     }
     const double radius =
-        hertz::needs_local_radius(law, history) ? local_radius(i, j, at.n, law) : 0.0;
-    return force_at(at, radius, pair, law, dt, history);
+        needs_local_radius(call.law, history) ? local_radius(i, j, at.n, call.law) : 0.0;
+    return force_at(at, radius, pair, call.law, call.dt, history);
 }
 
 }  // namespace
 
-PairContact collide(const SrShape& a, const SrShape& b, const PairState& pair,
-                    const ContactLaw& law, double dt, const ContactMemory<PointHistory>& memory) {
-    return convex_contact(side(a, pair.i), side(b, pair.j), pair, law, dt, memory);
+PairContact collide(const SrShape& a, const SrShape& b, const SmoothCall& call) {
+    return convex_contact(side(a, call.pair.i), side(b, call.pair.j), call);
 }
 
-PairContact collide(const Sphere& a, const SrShape& b, const PairState& pair, const ContactLaw& law,
-                    double dt, const ContactMemory<PointHistory>& memory) {
-    return convex_contact(side(a, pair.i), side(b, pair.j), pair, law, dt, memory);
-}
-
-PairContact collide(const SrShape& a, const Sphere& b, const PairState& pair, const ContactLaw& law,
-                    double dt, const ContactMemory<PointHistory>& memory) {
-    return convex_contact(side(a, pair.i), side(b, pair.j), pair, law, dt, memory);
+PairContact collide(const Sphere& a, const SrShape& b, const SmoothCall& call) {
+    return convex_contact(side(a, call.pair.i), side(b, call.pair.j), call);
 }
 
 }  // namespace dem

@@ -3,21 +3,16 @@
 
 #include "common/shapes/sphere.hpp"
 #include "common/shapes/sr_shape.hpp"
-#include "runtime/contact/contact_types.hpp"
+#include "runtime/contact/law/contact_law.hpp"
 
 namespace dem {
 
 /// Convex surfaces of revolution, and spheres against them, at the one point where they share a
 /// normal: `contact = continuous` (docs/contact.md, "Common normal"). Shapes must be convex. The
 /// contact point lies midway between the two surface points. While touching the search starts from
-/// the last normal; the first touch from the line of centres, so that `miss` never changes a bit.
-PairContact collide(const SrShape& a, const SrShape& b, const PairState& pair,
-                    const ContactLaw& law, double dt, const ContactMemory<PointHistory>& memory);
+/// the last normal; the first touch from the line of centers, so that `miss` never changes a bit.
+PairContact collide(const SrShape& a, const SrShape& b, const SmoothCall& call);
 
-PairContact collide(const Sphere& a, const SrShape& b, const PairState& pair, const ContactLaw& law,
-                    double dt, const ContactMemory<PointHistory>& memory);
-
-PairContact collide(const SrShape& a, const Sphere& b, const PairState& pair, const ContactLaw& law,
-                    double dt, const ContactMemory<PointHistory>& memory);
+PairContact collide(const Sphere& a, const SrShape& b, const SmoothCall& call);
 
 }  // namespace dem

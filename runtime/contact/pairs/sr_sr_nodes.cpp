@@ -55,21 +55,20 @@ double effective_radius(const SrShape& a, const SrShape& b, const TouchingNodes<
 
 }  // namespace
 
-PairContact collide(const SrShape& a, const SrShape& b, const PairState& pair,
-                    const ContactLaw& law, double dt, const NodeMemory& memory) {
+PairContact collide(const SrShape& a, const SrShape& b, const PatchCall& call) {
+    const PairState& pair = call.pair;
     const NodeFrame frame{pair.i.orientation.toRotationMatrix()};
     SrField field(b, frame.to_world.transpose() * pair.displacement,
                   frame.to_world.transpose() * body_axis(pair.j.orientation));
     const double margin = list_margin(a, b);
-    if (memory.travel >= memory.cache.listed_until) {
+    if (call.travel >= call.memory.cache.listed_until) {
         const double gap = bounding_gap(a, b, field);
-        if (gap > margin) return keep_apart(gap, memory);
+        if (gap > margin) return apart(call, gap);
         if (b.is_convex) field.set_floor(b, facing_direction(a.nodes, field));
     }
-    const TouchingNodes<SrField> touching =
-        touching_nodes(a.nodes, field, frame, margin, {pair, law, dt, memory});
+    const TouchingNodes<SrField> touching = touching_nodes(a.nodes, field, frame, margin, call);
     const double radius = touching.points.empty() ? 0.0 : effective_radius(a, b, touching);
-    return contact_force(touching.points, radius, pair, law, dt, memory.history);
+    return contact_force(touching.points, radius, call);
 }
 
 }  // namespace dem

@@ -63,38 +63,41 @@ Vec3 mean_place(const SrSupport& support, const SupportSample& now, const Vec3& 
 
 }  // namespace
 
-PairContact collide(const SrShape& a, const PlaneWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, const ContactMemory<PointHistory>& memory) {
+PairContact collide(const SrShape& a, const PlaneWall& wall, const SmoothCall& call) {
+    const PairState& pair = call.pair;
     const Vec3 n = body_axis(pair.j.orientation);
     const double height = -pair.displacement.dot(n);
-    if (height > a.bounding_radius) return no_contact(memory, height - a.bounding_radius);
+    if (height > a.bounding_radius) return apart(call, height - a.bounding_radius);
     const SrSupport support{a.support, body_axis(pair.i.orientation)};
     const SupportSample s = support(-n);
     const double overlap = s.h - height;
-    if (!(overlap > 0.0)) return no_contact(memory, -overlap);
-    const Vec3 spin = dt * (pair.i.angular_velocity - pair.j.angular_velocity);
+    if (!(overlap > 0.0)) return apart(call, -overlap);
+    const Vec3 spin = call.dt * (pair.i.angular_velocity - pair.j.angular_velocity);
     const Vec3 x = mean_place(support, s, n, spin, a.bounding_radius);
     const PlaneField field{{0.0}, {pair.displacement, n}, wall};
-    if (!field.accepts(x) || field.lets_pass(Vec3::Zero())) return no_contact(memory, 0.0);
+    if (!field.accepts(x) || field.lets_pass(Vec3::Zero())) return apart(call, 0.0);
     const ContactPoint point{x + 0.5 * overlap * n, n, overlap, 0};
-    const double radius = contact_radius(law, s, a.equivalent_diameter);
-    return contact_force(point, radius, pair, law, dt, memory.history);
+    const double radius = contact_radius(call.law, s, a.equivalent_diameter);
+    return contact_force(point, radius, pair, call.law, call.dt, call.memory.history);
 }
 
-PairContact collide(const SrShape& a, const CylinderWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, const ContactMemory<PatchHistory>& memory) {
+PairContact collide(const SrShape& a, const CylinderWall& wall,
+                    const Call<PatchHistory, MissCache>& call) {
+    const PairState& pair = call.pair;
+    const ContactLaw& law = call.law;
+    PatchHistory& history = call.memory.history;
     const SrSupport support{a.support, body_axis(pair.i.orientation)};
     const WallPose pose{body_axis(pair.j.orientation), -pair.displacement};
-    WallTouch touch = wall.inside ? touch_inside(a, support, wall, pose, memory.history)
+    WallTouch touch = wall.inside ? touch_inside(a, support, wall, pose, history)
                                   : touch_rod(a, support, wall, pose);
-    if (touch.count == 0) return no_contact(memory, touch.gap);
-    give_features(touch, memory.history);
+    if (touch.count == 0) return apart(call, touch.gap);
+    give_features(touch, history);
     const double radius = contact_radius(law, touch.deepest, a.equivalent_diameter);
-    if (touch.between_count == 0 || law.multi_contact != ContactLaw::MultiContact::norm)
-        return contact_force(std::span(touch.points.data(), touch.count), radius, pair, law, dt,
-                             memory.history);
+    if (touch.between_count == 0 || law.geometry.multi_contact != ContactLaw::MultiContact::norm)
+        return contact_force(std::span(touch.points.data(), touch.count), radius, pair, law,
+                             call.dt, history);
     const WallPatch patch(touch);
-    return contact_force(patch.points(), radius, pair, law, dt, memory.history);
+    return contact_force(patch.points(), radius, pair, law, call.dt, history);
 }
 
 }  // namespace dem

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "common/shapes/sr_shape.hpp"
-#include "runtime/contact/contact_types.hpp"
 #include "runtime/contact/law/contact_point.hpp"
 #include "runtime/contact/walls/wall_shapes.hpp"
 
@@ -29,12 +28,11 @@ concept SmoothWall = requires {
     typename SmoothHistory<Wall>::Type;
 };
 
-PairContact collide(const SrShape& a, const PlaneWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, const ContactMemory<PointHistory>& memory);
+PairContact collide(const SrShape& a, const PlaneWall& wall, const SmoothCall& call);
 
 /// A body flatter than the inside of a cylinder touches it in two places or more: all of them
 /// together are one contact.
-PairContact collide(const SrShape& a, const CylinderWall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, const ContactMemory<PatchHistory>& memory);
+PairContact collide(const SrShape& a, const CylinderWall& wall,
+                    const Call<PatchHistory, MissCache>& call);
 
 }  // namespace dem

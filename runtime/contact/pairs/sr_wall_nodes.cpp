@@ -14,12 +14,11 @@ double rounding(const SrShape& a) {
 
 template <class Field>
 PairContact against(const SrShape& a, const Field& field, const NodeFrame& frame,
-                    const NodeCall& call) {
-    const NodeMemory& memory = call.memory;
+                    const PatchCall& call) {
     const double margin = list_margin(a);
-    if (memory.travel >= memory.cache.listed_until) {
+    if (call.travel >= call.memory.cache.listed_until) {
         const double gap = field.sample(Vec3::Zero()).distance - a.bounding_radius - field.slack;
-        if (gap > margin) return keep_apart(gap, memory);
+        if (gap > margin) return apart(call, gap);
     }
     const TouchingNodes<Field> touching = touching_nodes(a.nodes, field, frame, margin, call);
     const double radius = 1.0 / contact_curvature(a.nodes.nodes[touching.deepest].mean_curvature,
@@ -30,21 +29,20 @@ PairContact against(const SrShape& a, const Field& field, const NodeFrame& frame
 }  // namespace
 
 template <AnyWall Wall>
-PairContact collide(const SrShape& a, const Wall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, const NodeMemory& memory) {
+PairContact collide(const SrShape& a, const Wall& wall, const PatchCall& call) {
+    const PairState& pair = call.pair;
     const NodeFrame frame{pair.i.orientation.toRotationMatrix()};
     const WallFrame place{frame.to_world.transpose() * pair.displacement,
                           frame.to_world.transpose() * body_axis(pair.j.orientation)};
     return wall.with_field(place, rounding(a), [&](const auto& field) {
         const Vec3 center = Vec3::Zero();
-        if (field.lets_pass(center)) return keep_apart(-field.sample(center).distance, memory);
-        return against(a, field, frame, {pair, law, dt, memory});
+        if (field.lets_pass(center)) return apart(call, -field.sample(center).distance);
+        return against(a, field, frame, call);
     });
 }
 
-#define DEM_NODES_AT(Wall)                                                                         \
-    template PairContact collide(const SrShape&, const Wall&, const PairState&, const ContactLaw&, \
-                                 double, const NodeMemory&);
+#define DEM_NODES_AT(Wall) \
+    template PairContact collide(const SrShape&, const Wall&, const PatchCall&);
 DEM_FOR_EACH_WALL_SHAPE(DEM_NODES_AT)
 
 }  // namespace dem

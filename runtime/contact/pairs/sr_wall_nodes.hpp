@@ -10,7 +10,6 @@ namespace dem {
 /// walls without a smooth kernel (sr_wall.hpp) and for `contact = nodes`. Nodes beyond the rim of a
 /// disc or of the open end of a tube do not touch. The wall's curvature does not enter R*.
 template <AnyWall Wall>
-PairContact collide(const SrShape& a, const Wall& wall, const PairState& pair,
-                    const ContactLaw& law, double dt, const NodeMemory& memory);
+PairContact collide(const SrShape& a, const Wall& wall, const PatchCall& call);
 
 }  // namespace dem

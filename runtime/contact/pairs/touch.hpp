@@ -14,7 +14,7 @@ bool touches(const ParticleTemplate& a, const ParticleTemplate& b, const PairSta
 bool touches(const ParticleTemplate& a, const WallShape& wall, const PairState& pair);
 
 /// Signed extent of a shape along a unit direction given in the world frame: max over the body of
-/// direction . (x - centre of mass) [m]. Exact for spheres, clumps, convex and convex SR shapes,
+/// direction . (x - center of mass) [m]. Exact for spheres, clumps, convex and convex SR shapes,
 /// for others the largest over their nodes.
 double extent(const ParticleTemplate& shape, const Quat& orientation, const Vec3& direction);
 

@@ -7,7 +7,7 @@
 
 /// The common normal of two convex bodies: the minimum over unit n of
 ///     f(n) = h_i(n) + h_j(-n) - n.d
-/// d from the centre of i to that of j, h support functions. f(n) is how far the bodies overlap
+/// d from the center of i to that of j, h support functions. f(n) is how far the bodies overlap
 /// along n: the minimum is the overlap, -f(n) > 0 a proven gap for any n. f is smooth on the pieces
 /// of the shapes with kinks between them that crowned faces round off over 4e-4 rad
 /// (docs/contact.md, "Common normal"). Newton on the unit sphere; where a step runs across a kink,
@@ -42,9 +42,9 @@ inline Vec3 any_tangent(const Vec3& n) {
     return (other - other.dot(n) * n).normalized();
 }
 
-/// Of a unit vector that was carried from step to step. Its length drifts by rounding, and a step
-/// of the search makes an error of it larger: flats have support points from centers thousands of
-/// times the size away.
+/// A unit vector that was carried from step to step, as long as it should be. Its length drifts by
+/// rounding, and a step of the search makes an error of it larger: flats have support points from
+/// centers thousands of times the size away.
 inline Vec3 unit_again(const Vec3& n) {
     return n * (1.5 - 0.5 * n.squaredNorm());
 }
@@ -143,7 +143,7 @@ NormalProbe line_search(const SupportI& support_i, const SupportJ& support_j, co
     return best;
 }
 
-/// Minimises f from a probe. Stops early, at any direction, once f is below -margin |d| and not
+/// Minimizes f from a probe. Stops early, at any direction, once f is below -margin |d| and not
 /// about to fall much further: the bodies are apart.
 template <class SupportI, class SupportJ>
 NormalProbe descend(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
@@ -175,7 +175,7 @@ NormalProbe common_normal(const SupportI& support_i, const SupportJ& support_j, 
 struct CommonNormal {
     Vec3 n;       ///< from i to j, unit
     double f;     ///< [m]
-    Vec3 middle;  ///< between the two surface points, from the centre of i [m]
+    Vec3 middle;  ///< between the two surface points, from the center of i [m]
 };
 
 inline CommonNormal result_of(const NormalProbe& p, const Vec3& d) {
@@ -208,7 +208,7 @@ struct FollowedNormal {
     NormalProbe probe;
 };
 
-/// The same as common_normal() from a direction that was the minimum a moment ago.
+/// What common_normal() finds from a direction that was the minimum a moment ago.
 template <class SupportI, class SupportJ>
 FollowedNormal followed_normal(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
                                const Vec3& start) {

@@ -27,7 +27,7 @@ struct Meridian {
         return sign * (n.x() * outward + n.y() * axis);
     }
     Vec3 middle(int k) const { return direction(0.5 * (low(k) + high(k))); }
-    /// Of a flat and of an edge the middle, of a cap a place near the edge before it.
+    /// Where a piece is entered: the middle of a flat or an edge, near the edge before a cap.
     Vec3 entrance(int k, int step) const {
         constexpr double depth = 0.02;
         if (is_edge(k) || high(k) - low(k) < depth) return middle(k);

@@ -33,7 +33,7 @@ inline double turn_measure(const Vec2& from, const Vec2& u) {
 /// A convex surface of revolution seen along a cylinder's axis: how far its outline reaches from
 /// the axis in each direction e across it,
 ///     F(psi) = e . (c + x),  F' = tau . (c + x),  F'' = sense rho - F,
-/// psi angle of e, c centre of the body relative to the axis, x support point towards `sense` e,
+/// psi angle of e, c center of the body relative to the axis, x support point towards `sense` e,
 /// tau = e', rho radius of curvature of the outline. sense = +1: farthest from the axis; -1:
 /// nearest to it. Directions are (cos psi, sin psi); (1, 0) is where the body's own axis points.
 class PlanarOutline {

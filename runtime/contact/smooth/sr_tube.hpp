@@ -21,7 +21,7 @@ struct WallTouch {
     double gap = 0.0;       ///< proven distance when apart [m]; 0: unknown
 
     /// Adds a point of the body where it is `overlap` beyond a wall of the outward normal n; x is
-    /// relative to the body's centre. A full list keeps the deepest.
+    /// relative to the body's center. A full list keeps the deepest.
     void add(const Vec3& x, const Vec3& n, double overlap, const SupportSample& support);
 };
 

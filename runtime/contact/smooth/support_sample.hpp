@@ -9,7 +9,7 @@
 #include <limits>
 
 /// Support functions of bodies, with gradient and curvature, as the common-normal search needs them
-/// (docs/contact.md, "Common normal"). For a unit direction n the support point x maximises n.x and
+/// (docs/contact.md, "Common normal"). For a unit direction n the support point x maximizes n.x and
 /// h = n.x; the tangential part of x is the gradient of h on the unit sphere, the radii of
 /// curvature at x its second derivative.
 namespace dem {
@@ -24,7 +24,7 @@ struct SupportSample {
     double room;        ///< no jump of the curvature nearer than this [rad], a lower bound
 
     double along() const { return across + excess; }
-    /// The support point relative to the centre of the body [m].
+    /// The support point relative to the center of the body [m].
     Vec3 point(const Vec3& n) const { return h * n + tangential * meridian; }
     /// How far the support point moves when n turns by the tangent `step` [m].
     Vec3 shift(const Vec3& step) const {
@@ -34,7 +34,7 @@ struct SupportSample {
 
 inline constexpr double no_jump = std::numeric_limits<double>::infinity();
 
-/// Of a convex surface of revolution.
+/// Support function of a convex surface of revolution.
 struct SrSupport {
     const SupportMap& map;
     Vec3 axis;  ///< world
@@ -91,7 +91,7 @@ struct SphereSupport {
     }
 };
 
-/// A circle about its centre: the edge of a flat end.
+/// A circle about its center: the edge of a flat end.
 struct CircleSupport {
     double radius;
     Vec3 axis;  ///< unit, normal of its plane

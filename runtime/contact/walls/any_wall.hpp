@@ -6,6 +6,7 @@
 
 #include <array>
 #include <concepts>
+#include <string_view>
 #include <vector>
 
 /// The questions that a wall shape answers: everything that asks walls is written on these, so that
@@ -40,6 +41,8 @@ concept AnyWall = requires(const Wall& wall, const WallFrame& frame, const Quat&
     /// `slack`: what rounding may do to distances there [m]. Kernels of contact, distances of walls
     /// and regions ask this.
     { wall.with_field(frame, 0.0, DistanceAtOrigin{}) } -> std::same_as<double>;
+    /// What checkpoints know its contacts by: never to be given to another.
+    requires std::same_as<decltype(Wall::name), const std::string_view>;
     /// What the domain must hold.
     { wall.extent() } -> std::same_as<WallExtent>;
     /// Whether bodies that reach from `low` to `high` along the wall's axis [m] are kept in by it,

@@ -11,6 +11,8 @@ namespace dem {
 /// it are not touched by the side. A vessel is closed by discs of more than its radius and a side
 /// that reaches beyond them: a body pressed into the corner has contact points a little outside.
 struct CylinderWall {
+    static constexpr std::string_view name = "cylinder";
+
     double radius = 0.0;                                      ///< [m]
     double length = std::numeric_limits<double>::infinity();  ///< [m]
     bool inside = true;

@@ -8,6 +8,8 @@ namespace dem {
 /// The half space z < 0; the wall's origin lies on the plane. With a finite radius only the disc of
 /// that radius about the origin acts, and only on bodies whose center is in front of it.
 struct PlaneWall {
+    static constexpr std::string_view name = "plane";
+
     double radius = std::numeric_limits<double>::infinity();  ///< [m]
 
     bool is_disc() const { return radius < std::numeric_limits<double>::infinity(); }

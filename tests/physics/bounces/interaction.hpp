@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "runtime/narrow_phase/pair_kinds.hpp"
+#include "runtime/contact/pairs/pair_table.hpp"
 
 #include <memory>
 

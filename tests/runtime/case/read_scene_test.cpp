@@ -45,13 +45,13 @@ TEST(ReadScene, APairOfMaterialsTakesItsOwnValuesAndTheRestFromContact) {
     const ContactLaw& own = scene.laws.at(0, 1);
     EXPECT_DOUBLE_EQ(own.friction, 0.22);
     EXPECT_EQ(own.damping_mass, ContactLaw::DampingMass::reduced);
-    EXPECT_EQ(own.radius, ContactLaw::Radius::local);
+    EXPECT_EQ(own.geometry.radius, ContactLaw::Radius::local);
     EXPECT_DOUBLE_EQ(own.damping, hertz_damping(0.6));
     EXPECT_DOUBLE_EQ(scene.laws.at(1, 0).friction, 0.22);
     const ContactLaw& general = scene.laws.at(0, 0);
     EXPECT_DOUBLE_EQ(general.friction, 0.38);
     EXPECT_EQ(general.damping_mass, ContactLaw::DampingMass::contact);
-    EXPECT_EQ(general.radius, ContactLaw::Radius::local);
+    EXPECT_EQ(general.geometry.radius, ContactLaw::Radius::local);
     EXPECT_DOUBLE_EQ(general.stiffness_ratio, ContactLaw{}.stiffness_ratio);
     EXPECT_DOUBLE_EQ(general.damping_ratio, ContactLaw{}.damping_ratio);
 }
@@ -65,19 +65,22 @@ TEST(ReadScene, EveryWordOfAChoiceBecomesTheEnumOfTheSameName) {
     const auto law = [](const std::string& assignment) {
         return scene_of(sphere_case(), assignment).laws.at(0, 0);
     };
-    EXPECT_EQ(law("contact.contact=auto").method, ContactLaw::Method::automatic);
-    EXPECT_EQ(law("contact.contact=continuous").method, ContactLaw::Method::continuous);
-    EXPECT_EQ(law("contact.contact=nodes").method, ContactLaw::Method::nodes);
+    EXPECT_EQ(law("contact.contact=auto").geometry.method, ContactLaw::Method::automatic);
+    EXPECT_EQ(law("contact.contact=continuous").geometry.method, ContactLaw::Method::continuous);
+    EXPECT_EQ(law("contact.contact=nodes").geometry.method, ContactLaw::Method::nodes);
     EXPECT_EQ(law("contact.tangential=mindlin").tangential, ContactLaw::Tangential::mindlin);
     EXPECT_EQ(law("contact.tangential=ratio").tangential, ContactLaw::Tangential::ratio);
-    EXPECT_EQ(law("contact.multi_contact=sum").multi_contact, ContactLaw::MultiContact::sum);
-    EXPECT_EQ(law("contact.multi_contact=deepest").multi_contact,
+    EXPECT_EQ(law("contact.multi_contact=sum").geometry.multi_contact,
+              ContactLaw::MultiContact::sum);
+    EXPECT_EQ(law("contact.multi_contact=deepest").geometry.multi_contact,
               ContactLaw::MultiContact::deepest);
-    EXPECT_EQ(law("contact.radius=equivalent").radius, ContactLaw::Radius::equivalent);
-    EXPECT_EQ(law("contact.node_normal=normalized").node_normal,
+    EXPECT_EQ(law("contact.radius=equivalent").geometry.radius, ContactLaw::Radius::equivalent);
+    EXPECT_EQ(law("contact.node_normal=normalized").geometry.node_normal,
               ContactLaw::NodeNormal::normalized);
-    EXPECT_EQ(law("contact.node_normal=vectors").node_normal, ContactLaw::NodeNormal::vectors);
-    EXPECT_EQ(law("contact.node_normal=averaged").node_normal, ContactLaw::NodeNormal::averaged);
+    EXPECT_EQ(law("contact.node_normal=vectors").geometry.node_normal,
+              ContactLaw::NodeNormal::vectors);
+    EXPECT_EQ(law("contact.node_normal=averaged").geometry.node_normal,
+              ContactLaw::NodeNormal::averaged);
     EXPECT_TRUE(law("contact.limit_force=yes").limit_force);
     const auto mode = [](const std::string& word) {
         return scene_of(sphere_case(), "particles.balls.insert=" + word).insertions[0].mode;

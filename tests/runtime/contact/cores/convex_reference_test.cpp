@@ -52,7 +52,9 @@ Deepest found_by_kernel(const ConvexShape& a, const ConvexShape& b, const PairSt
         MissCache miss;
         ConvexScratch scratch;
         FeatureSum features(pair, touch.point.overlap);
-        add_features(i, j, touch, {history, miss, scratch}, features);
+        const ContactLaw law;
+        const CoreCall call{pair, law, 0.0, {history, miss}, 0.0, {nullptr, &scratch}};
+        add_features(i, j, touch, call, features);
         // What the nearest points still count beside a feature is rounding.
         const bool is_one = features.count() == 1 ||
                             (features.count() == 2 && std::abs(features.power() - 1.0) < 1e-8);

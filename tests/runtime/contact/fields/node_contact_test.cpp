@@ -7,6 +7,7 @@
 #include "runtime/contact/pairs/sr_wall_nodes.hpp"
 #include "runtime/contact/smooth/sr_curvature.hpp"
 #include "tests/physics/two_bodies.hpp"
+#include "tests/runtime/contact/memory_of.hpp"
 #include "tests/runtime/contact/sr_fixture.hpp"
 
 #include <cmath>
@@ -37,15 +38,17 @@ ContactLaw law_with(double restitution, double friction) {
 /// A pair seen for the first time: nothing remembered.
 struct Fresh {
     PatchHistory history{};
-    NodeCache cache{};
+    NearCache cache{};
     ContactScratch scratch = ContactScratch(6000);
-    NodeMemory memory() { return {history, cache, scratch, 0.0}; }
+    PatchCall call(const PairState& pair, const ContactLaw& law, double dt) {
+        return {pair, law, dt, {history, cache}, 0.0, {&scratch}};
+    }
 };
 
 template <class A, class B>
 PairContact first_touch(const A& a, const B& b, const PairState& pair, const ContactLaw& law) {
     Fresh fresh;
-    return collide(a, b, pair, law, 1e-6, fresh.memory());
+    return collide(a, b, fresh.call(pair, law, 1e-6));
 }
 
 /// Two bodies that meet with spin.
@@ -94,12 +97,13 @@ TEST(NodeContact, WhatAPairRemembersNeverChangesABitOfItsMotion) {
             with.step(dt, [&](const PairState& pair, double h) -> PairContact {
                 if (cannot_touch(kept.cache, travel)) return {};
                 ++kernel_calls;
-                return collide(a, b, pair, law, h,
-                               {kept.history, kept.cache, kept.scratch, travel});
+                return collide(
+                    a, b,
+                    PatchCall{pair, law, h, {kept.history, kept.cache}, travel, {&kept.scratch}});
             });
             without.step(dt, [&](const PairState& pair, double h) {
                 forgotten.cache = {};
-                return collide(a, b, pair, law, h, forgotten.memory());
+                return collide(a, b, forgotten.call(pair, law, h));
             });
             ASSERT_TRUE(same_bits(with.i, without.i) && same_bits(with.j, without.j))
                 << "run " << run << ", step " << step;
@@ -123,7 +127,7 @@ TEST(NodeContact, ForceAndTorquesBalance) {
         const PairContact c = first_touch(a, b, pair, law);
         if (!c.touches()) continue;
         ++touching;
-        // About the centre of i: the force on j is -force.
+        // About the center of i: the force on j is -force.
         const Vec3 total = c.torque_i + c.torque_j - pair.displacement.cross(c.force);
         EXPECT_LT(total.norm(), 1e-12 * c.force.norm() * a.bounding_radius);
     }
@@ -144,7 +148,8 @@ PairState at(const Vec3& displacement, const Quat& j = Quat::Identity()) {
 template <class Wall>
 void expect_like_a_sphere(const Wall& wall, const PairState& pair, const ContactLaw& law) {
     PointHistory history;
-    const PairContact exact = collide(Sphere{5e-3}, wall, pair, law, 1e-6, history);
+    const PairContact exact =
+        collide(Sphere{5e-3}, wall, Call{pair, law, 1e-6, memory_of(history)});
     const PairContact by_nodes = first_touch(round_shape(), wall, pair, law);
     ASSERT_EQ(exact.touches(), by_nodes.touches());
     if (!exact.touches()) return;
@@ -155,7 +160,8 @@ void expect_like_a_sphere(const Wall& wall, const PairState& pair, const Contact
 TEST(NodeContact, ARoundShapeMeetsEveryWallAsASphereDoes) {
     Random random(23, 0);
     ContactLaw law = law_with(1.0, 0.0);
-    law.multi_contact = ContactLaw::MultiContact::deepest;  // its overlap is that of one node
+    law.geometry.multi_contact =
+        ContactLaw::MultiContact::deepest;  // its overlap is that of one node
     for (int trial = 0; trial < 100; ++trial) {
         const Quat q = random.orientation();
         const Vec3 axis = q * Vec3::UnitZ();
@@ -176,7 +182,7 @@ TEST(NodeContact, ARoundShapeMeetsEveryWallAsASphereDoes) {
     }
 }
 
-TEST(NodeContact, ASmallSphereTouchesWhereItsCentreIsNearest) {
+TEST(NodeContact, ASmallSphereTouchesWhereItsCenterIsNearest) {
     Random random(24, 0);
     const ContactLaw law = law_with(1.0, 0.0);
     const double radius = 1e-3;
@@ -198,9 +204,6 @@ TEST(NodeContact, ASmallSphereTouchesWhereItsCentreIsNearest) {
         EXPECT_NEAR(c.overlap, -gap, 5e-6);
         EXPECT_GT(c.force.normalized().dot(normal), 0.998);
         EXPECT_LT(c.torque_i.norm(), 1e-9 * c.force.norm() * radius);
-
-        const PairContact swapped = first_touch(shape(0), Sphere{radius}, at(center), law);
-        EXPECT_NEAR((swapped.force + c.force).norm(), 0.0, 1e-12 * c.force.norm());
     }
     EXPECT_GT(touching, 50);
 }
@@ -215,18 +218,15 @@ TEST(NodeContact, ALargeSphereRestsOnTheWholeRimOfAHollow) {
     PairContact c;
     do {
         height -= 1e-5;
-        c = first_touch(cell, sphere, at({0.0, 0.0, height}), law);
+        c = first_touch(sphere, cell, at({0.0, 0.0, -height}), law);
     } while (!c.touches());
     ASSERT_GT(height - sphere.radius, cell.top_z);  // on the rim, above the bottom of the hollow
-    c = first_touch(cell, sphere, at({0.0, 0.0, height - 1e-4}), law);
+    c = first_touch(sphere, cell, at({0.0, 0.0, 1e-4 - height}), law);
     EXPECT_GT(c.points, 10U);
     EXPECT_LT(c.force.head<2>().norm(), 0.05 * std::abs(c.force.z()));
-    // A little aside the rim pushes it back to the axis: the force on the cell points the same way.
-    c = first_touch(cell, sphere, at({2e-4, 0.0, height - 1e-4}), law);
-    EXPECT_GT(c.force.x(), 0.0);
-
-    const PairContact swapped = first_touch(sphere, cell, at({-2e-4, 0.0, 1e-4 - height}), law);
-    EXPECT_NEAR((swapped.force + c.force).norm(), 0.0, 1e-12 * c.force.norm());
+    // A little aside the rim pushes it back to the axis.
+    c = first_touch(sphere, cell, at({-2e-4, 0.0, 1e-4 - height}), law);
+    EXPECT_LT(c.force.x(), 0.0);
 }
 
 TEST(NodeContact, TheCurvatureTableGivesTheCurvatureOfTheNearestPoint) {
@@ -252,7 +252,7 @@ TEST(NodeContact, PairsFarApartAreClearForAsLongAsTheyAreProvenToBe) {
     Fresh fresh;
     const SrShape& a = shape(2);
     PairState pair = at({0.1, 0.0, 0.0});
-    EXPECT_FALSE(collide(a, a, pair, law_with(1.0, 0.0), 1e-6, fresh.memory()).touches());
+    EXPECT_FALSE(collide(a, a, fresh.call(pair, law_with(1.0, 0.0), 1e-6)).touches());
     EXPECT_TRUE(cannot_touch(fresh.cache, 0.0999 - 2.0 * a.bounding_radius));
     EXPECT_FALSE(cannot_touch(fresh.cache, 0.1));
 }

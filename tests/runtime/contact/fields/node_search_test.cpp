@@ -45,7 +45,7 @@ std::vector<std::uint32_t> walk_over_all(const SurfaceNodes& nodes, const Field&
 
 template <class Field>
 std::vector<std::uint32_t> touching(const SurfaceNodes& nodes, const Field& field, double margin,
-                                    double travel, NodeCache& cache) {
+                                    double travel, NearCache& cache) {
     std::vector<std::uint32_t> found;
     visit_touching_nodes(nodes, field, margin, travel, cache,
                          [&](std::uint32_t k, const auto&) { found.push_back(k); });
@@ -67,7 +67,7 @@ TEST(NodeSearch, FindsTheSameNodesAsAWalkOverAllOfThem) {
         for (const NamedShape& slave : shapes())
             for (int trial = 0; trial < 120; ++trial) {
                 const SrField field = random_pose(master.shape, slave.shape, random);
-                NodeCache cache;
+                NearCache cache;
                 const auto found = touching(master.shape.nodes, field, 2e-5, 1.0, cache);
                 ASSERT_EQ(found, walk_over_all(master.shape.nodes, field))
                     << master.name << " on " << slave.name << ", trial " << trial;
@@ -125,7 +125,7 @@ TEST(NodeSearch, ListsHoldEveryNodeThatTouchesUntilTheyExpire) {
         for (int trial = 0; trial < 300; ++trial) {
             const SrShape& slave = shapes()[static_cast<std::size_t>(trial) % 4].shape;
             const SrField start = random_pose(master.shape, slave, random);
-            NodeCache cache;
+            NearCache cache;
             touching(master.shape.nodes, start, 1e-4, 1.0, cache);
             if (cache.listed_until < 1.0) continue;
             // A move of the slave by nearly as much as the list allows.
@@ -168,7 +168,7 @@ TEST(NodeSearch, ChangesNoNodeAlongATrajectoryWhateverTheMargin) {
                     at_gap(master.shape, random_pose(master.shape, slave, random), 1e-5);
                 const Vec3 velocity = -0.5 * field.center.normalized() + 0.2 * random.direction();
                 const Vec3 spin = 50.0 * random.direction();
-                NodeCache cache;
+                NearCache cache;
                 double travel = 0.0;
                 const double dt = 1e-6;
                 for (int step = 0; step < 200; ++step) {
@@ -200,15 +200,15 @@ TEST(NodeSearch, ManyNodesOnAFlatFaceAreAllFound) {
     const PlaneField plane{
         {1e-12}, Vec3(0, 0, 1.5e-3), Vec3(0, 0, -1), std::numeric_limits<double>::infinity()};
     const auto all = walk_over_all(nodes, plane);
-    ASSERT_GT(all.size(), 10 * std::size_t{NodeCache::capacity});
-    NodeCache cache;
+    ASSERT_GT(all.size(), 10 * std::size_t{NearCache::capacity});
+    NearCache cache;
     EXPECT_EQ(touching(nodes, plane, 1e-4, 0.0, cache), all);
     EXPECT_LT(cache.listed_until, 0.0);
     EXPECT_EQ(touching(nodes, plane, 1e-4, 0.0, cache), all);
 }
 
 TEST(NodeSearch, ACacheThatKnowsNothingProvesNothing) {
-    EXPECT_FALSE(cannot_touch(NodeCache{}, 0.0));
+    EXPECT_FALSE(cannot_touch(NearCache{}, 0.0));
 }
 
 /// The gradient against central differences, and the bound on the growth of the distance.

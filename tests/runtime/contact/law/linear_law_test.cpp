@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/error.hpp"
-#include "runtime/contact/law/hertz_mindlin.hpp"
 #include "runtime/contact/law/pair_law.hpp"
+#include "runtime/contact/law/tangential.hpp"
 #include "runtime/contact/pairs/sphere_sphere.hpp"
 #include "runtime/contact/pairs/sphere_wall.hpp"
 #include "tests/physics/two_bodies.hpp"
+#include "tests/runtime/contact/memory_of.hpp"
 
 #include <cmath>
 
@@ -38,7 +39,7 @@ Impact impact(const ContactLaw& law, double slide) {
     Impact result;
     for (int step = 0; step < 1'000'000; ++step) {
         bodies.step(dt, [&](const PairState& pair, double h) {
-            return collide(Sphere{radius}, Sphere{radius}, pair, law, h, history);
+            return collide(Sphere{radius}, Sphere{radius}, Call{pair, law, h, memory_of(history)});
         });
         if (bodies.contact.touches())
             result.duration += dt;
@@ -83,20 +84,20 @@ TEST(LinearLaw, ForceAndPushOfASpringThatLetsGoAreTheGradientOfItsEnergy) {
     const double h = 1e-6 * overlap;
     for (const double s : {1.001 * reach, 2.0 * reach, 1e3 * reach}) {
         const auto energy = [&](double length, double d) {
-            return hertz::letting_go(k_t, length, ratio, d).energy;
+            return letting_go(k_t, length, ratio, d).energy;
         };
-        const hertz::LettingGo go = hertz::letting_go(k_t, s, ratio, overlap);
+        const LettingGo go = letting_go(k_t, s, ratio, overlap);
         const double by_length = (energy(s + h, overlap) - energy(s - h, overlap)) / (2.0 * h);
         const double by_overlap = (energy(s, overlap + h) - energy(s, overlap - h)) / (2.0 * h);
         EXPECT_NEAR(go.force, by_length, 1e-4 * k_t * reach);
         EXPECT_NEAR(go.push, by_overlap, 1e-4 * ratio * k_t * reach);
     }
     // It begins where the plain spring is, without a jump of energy or force.
-    const hertz::LettingGo begins = hertz::letting_go(k_t, reach, ratio, overlap);
+    const LettingGo begins = letting_go(k_t, reach, ratio, overlap);
     EXPECT_DOUBLE_EQ(begins.energy, 0.5 * k_t * reach * reach);
     EXPECT_DOUBLE_EQ(begins.force, k_t * reach);
     EXPECT_EQ(begins.push, 0.0);
-    EXPECT_EQ(hertz::letting_go(k_t, 1e-5, ratio, 0.0).energy, 0.0);
+    EXPECT_EQ(letting_go(k_t, 1e-5, ratio, 0.0).energy, 0.0);
 }
 
 TEST(LinearLaw, RefusesNumbersOutOfRange) {

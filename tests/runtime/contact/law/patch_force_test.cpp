@@ -57,7 +57,7 @@ TEST(PatchForce, OnePointIsPlainHertzInEveryMode) {
     using Multi = ContactLaw::MultiContact;
     for (const Multi mode : {Multi::norm, Multi::sum, Multi::deepest}) {
         ContactLaw law = rough_law();
-        law.multi_contact = mode;
+        law.geometry.multi_contact = mode;
         PatchHistory patch;
         PointHistory single;
         for (std::uint64_t step = 0; step < 20; ++step) {
@@ -140,7 +140,7 @@ TEST(PatchForce, FrictionOfManyPointsIsCutAtTheElasticPartOfTheirForces) {
             const auto sliding_force = [&](double restitution) {
                 ContactLaw law = pair_law({5e7, 0.3}, {5e7, 0.3}, restitution);
                 law.friction = 0.3;
-                law.multi_contact = mode;
+                law.geometry.multi_contact = mode;
                 PatchHistory history;
                 Vec3 force;
                 for (int k = 0; k < 100; ++k)
@@ -164,7 +164,7 @@ TEST(PatchForce, FrictionOfManyPointsActsWhereTheirLoadDoes) {
     using Multi = ContactLaw::MultiContact;
     for (const Multi mode : {Multi::norm, Multi::sum}) {
         ContactLaw law = rough_law();
-        law.multi_contact = mode;
+        law.geometry.multi_contact = mode;
         std::vector<ContactPoint> points = points_near_the_middle(60, 10);
         std::sort(points.begin(), points.end(), [](const ContactPoint& a, const ContactPoint& b) {
             return a.position.x() < b.position.x();

@@ -10,6 +10,7 @@
 #include "runtime/contact/pairs/sphere_wall.hpp"
 #include "runtime/contact/pairs/sr_sr_continuous.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
+#include "tests/runtime/contact/memory_of.hpp"
 #include "tests/runtime/contact/sample_clumps.hpp"
 #include "tests/runtime/contact/sr_fixture.hpp"
 
@@ -39,11 +40,13 @@ SrShape convex_candy() {
 
 struct Host {
     PatchHistory history{};
-    NodeCache cache{};
+    NearCache cache{};
     ContactScratch scratch = ContactScratch(20000);
     double travel = 0.0;
 
-    NodeMemory memory() { return {history, cache, scratch, travel}; }
+    PatchCall call(const PairState& pair, const ContactLaw& law, double dt) {
+        return {pair, law, dt, {history, cache}, travel, {&scratch}};
+    }
 };
 
 BodyState random_state(Random& random) {
@@ -53,11 +56,11 @@ BodyState random_state(Random& random) {
             {1e3, Vec3(2e8, 2e8, 1.5e8)}};
 }
 
-using Kernel = std::function<PairContact(const PairState&, const NodeMemory&)>;
+using Kernel = std::function<PairContact(const PairState&, Host&)>;
 template <class A, class B>
 Kernel kernel(const A& a, const B& b) {
-    return [&a, &b](const PairState& pair, const NodeMemory& memory) {
-        return collide(a, b, pair, law(), 1e-6, memory);
+    return [&a, &b](const PairState& pair, Host& host) {
+        return collide(a, b, host.call(pair, law(), 1e-6));
     };
 }
 
@@ -87,12 +90,12 @@ int wander(const Kernel& collide_pair, double reach, double bounding_sum, std::u
 
             Host blank;
             blank.history = host.history;
-            const PairContact expected = collide_pair(pair, blank.memory());
+            const PairContact expected = collide_pair(pair, blank);
             if (cannot_touch(host.cache, host.travel)) {
                 EXPECT_FALSE(expected.touches());
                 continue;
             }
-            EXPECT_TRUE(same_bits(collide_pair(pair, host.memory()), expected));
+            EXPECT_TRUE(same_bits(collide_pair(pair, host), expected));
             contacts += expected.touches() ? 1 : 0;
         }
     }
@@ -110,14 +113,14 @@ TEST(ClumpContact, TheListNeverChangesABitOfAnyPairOfKinds) {
     EXPECT_GT(wander(kernel(a, a), 1.6 * r, 2.0 * r, 1), 20);
     EXPECT_GT(wander(kernel(many, a), 1.6 * r, 2.0 * r, 2), 20);
     EXPECT_GT(wander(kernel(many, many), 1.6 * r, 2.0 * r, 3), 20);
-    EXPECT_GT(wander(kernel(a, sphere), 1.4 * r, 1.6 * r, 4), 20);
+    EXPECT_GT(wander(kernel(sphere, a), 1.4 * r, 1.6 * r, 4), 20);
     EXPECT_GT(wander(kernel(sphere, dumbbell), 1.4 * r, 1.6 * r, 5), 20);
     EXPECT_GT(wander(kernel(a, convex), 1.6 * r, 2.0 * r, 6), 20);
-    EXPECT_GT(wander(kernel(convex, dumbbell), 1.6 * r, 2.0 * r, 7), 20);
+    EXPECT_GT(wander(kernel(dumbbell, convex), 1.6 * r, 2.0 * r, 7), 20);
     ASSERT_GT(a.largest_radius, hollow.sdf.margin);
     ASSERT_LT(dumbbell.largest_radius, hollow.sdf.margin);
     EXPECT_GT(wander(kernel(a, hollow), 1.6 * r, 2.0 * r, 8), 20);
-    EXPECT_GT(wander(kernel(hollow, dumbbell), 1.2 * r, 2.0 * r, 9), 20);
+    EXPECT_GT(wander(kernel(dumbbell, hollow), 1.2 * r, 2.0 * r, 9), 20);
     const PlaneWall plane, disc{20e-3};
     const CylinderWall tube{20e-3, 30e-3}, rod{8e-3, 10e-3, false};
     EXPECT_GT(wander(kernel(a, plane), 1.0 * r, 1.0 * r, 10), 20);
@@ -152,7 +155,7 @@ TEST(ClumpContact, TouchesInThePairsOfSpheresThatAWalkOverAllPairsFinds) {
             }
         }
         Host host, brute;
-        const PairContact found = collide(a, b, pair, law(), 1e-6, host.memory());
+        const PairContact found = collide(a, b, host.call(pair, law(), 1e-6));
         ASSERT_EQ(found.points, points.size());
         if (points.empty()) continue;
         ++contacts;
@@ -167,9 +170,6 @@ TEST(ClumpContact, TouchesInThePairsOfSpheresThatAWalkOverAllPairsFinds) {
 
 TEST(ClumpContact, SwappingThePairNegatesTheForce) {
     const Clump a = candy_clump(60);
-    const SrShape convex = convex_candy();
-    const SrShape hollow = peanut(600);
-    const Sphere sphere{3e-3};
     Random random(3, 0);
     const auto compare = [&](const auto& one, const auto& other) {
         int contacts = 0;
@@ -178,8 +178,8 @@ TEST(ClumpContact, SwappingThePairNegatesTheForce) {
                                  random_state(random), random_state(random)};
             const PairState swapped{-pair.displacement, pair.j, pair.i};
             Host host, back;
-            const PairContact c = collide(one, other, pair, law(), 1e-6, host.memory());
-            const PairContact d = collide(other, one, swapped, law(), 1e-6, back.memory());
+            const PairContact c = collide(one, other, host.call(pair, law(), 1e-6));
+            const PairContact d = collide(other, one, back.call(swapped, law(), 1e-6));
             ASSERT_EQ(c.points, d.points);
             EXPECT_NEAR((c.force + d.force).norm(), 0.0, 1e-7 * c.force.norm());
             EXPECT_NEAR((c.torque_i - d.torque_j).norm(), 0.0, 1e-9 * c.force.norm());
@@ -187,10 +187,8 @@ TEST(ClumpContact, SwappingThePairNegatesTheForce) {
         }
         EXPECT_GT(contacts, 30);
     };
-    compare(a, convex);
-    compare(a, hollow);
-    compare(a, sphere);
-    compare(dumbbell_clump(4e-3, 1.5e-3), hollow);
+    compare(a, candy_clump(300));
+    compare(a, dumbbell_clump(4e-3, 1.5e-3));
 }
 
 /// The force on the one-sphere clump and on the sphere, over random poses.
@@ -207,7 +205,7 @@ void expect_same_force(const char* name, const Other& other, double nearest, dou
                        random_state(random)};
         pair.j.inverse_inertia = {};  // as a wall has it
         Host host;
-        const PairContact c = collide(clump, other, pair, law(), 1e-6, host.memory());
+        const PairContact c = collide(clump, other, host.call(pair, law(), 1e-6));
         const PairContact s = reference(Sphere{radius}, pair);
         ASSERT_EQ(c.touches(), s.touches()) << trial;
         EXPECT_NEAR((c.force - s.force).norm(), 0.0, tolerance * s.force.norm());
@@ -221,7 +219,7 @@ TEST(ClumpContact, AClumpOfOneSphereIsThatSphere) {
     const auto closed_form = [](const auto& other) {
         return [&other](const Sphere& sphere, const PairState& pair) {
             PointHistory history;
-            return collide(sphere, other, pair, law(), 1e-6, history);
+            return collide(sphere, other, Call{pair, law(), 1e-6, memory_of(history)});
         };
     };
     const PlaneWall plane, disc{5e-3};
@@ -234,14 +232,14 @@ TEST(ClumpContact, AClumpOfOneSphereIsThatSphere) {
     expect_same_force("hollow", hollow, 4e-3, 9e-3, 1e-10,
                       [&](const Sphere& sphere, const PairState& pair) {
                           Host host;
-                          return collide(sphere, hollow, pair, law(), 1e-6, host.memory());
+                          return collide(sphere, hollow, host.call(pair, law(), 1e-6));
                       });
     const SrShape convex = convex_candy();
     expect_same_force(
         "convex", convex, 4e-3, 9e-3, 1e-7, [&](const Sphere& sphere, const PairState& pair) {
             PointHistory history;
             MissCache miss;
-            return collide(sphere, convex, pair, law(), 1e-6, ContactMemory{history, miss});
+            return collide(sphere, convex, Call{pair, law(), 1e-6, Memory{history, miss}});
         });
 }
 
@@ -250,8 +248,8 @@ TEST(ClumpContact, KeepsTheDeepestPointsWhenThereIsNoRoomForAll) {
     const PairState pair{{0.0, 0.0, 6.7e-3}, {}, {}};
     Host all, few;
     few.scratch.resize(20);
-    const PairContact expected = collide(a, a, pair, law(), 1e-6, all.memory());
-    const PairContact found = collide(a, a, pair, law(), 1e-6, few.memory());
+    const PairContact expected = collide(a, a, all.call(pair, law(), 1e-6));
+    const PairContact found = collide(a, a, few.call(pair, law(), 1e-6));
     ASSERT_GT(expected.points, 20U);
     EXPECT_EQ(found.points, 20U);
     for (std::size_t k = 1; k < 20; ++k)

@@ -90,7 +90,8 @@ PairContact resting_contact(const ConvexShape& a, const PairState& pair, const M
     ConvexScratch scratch{};
     history.effective_radius = 0.25;
     const auto field = make(WallFrame{pair.displacement, body_axis(pair.j.orientation)});
-    return convex_in_field(a, field, {pair, elastic, 1e-6, {history, miss, scratch}});
+    return convex_in_field(
+        a, field, CoreCall{pair, elastic, 1e-6, {history, miss}, 0.0, {nullptr, &scratch}});
 }
 
 /// Largest deviation of force and torque from the derivatives of the stored energy, relative to

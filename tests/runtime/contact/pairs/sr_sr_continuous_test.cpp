@@ -6,6 +6,7 @@
 #include "runtime/contact/pairs/sphere_sphere.hpp"
 #include "runtime/integrator/rigid_body.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
+#include "tests/runtime/contact/memory_of.hpp"
 
 #include <cstring>
 #include <vector>
@@ -74,17 +75,17 @@ TEST(SrSrContinuous, TheMissCacheNeverChangesABit) {
             MissCache fresh;
             MissCache wild{random.direction(), -1.0};
             const PairContact c =
-                collide(a.shape, b.shape, pair, law, dt, ContactMemory{kept_history, kept});
+                collide(a.shape, b.shape, Call{pair, law, dt, Memory{kept_history, kept}});
             EXPECT_TRUE(same_bits(
-                c, collide(a.shape, b.shape, pair, law, dt, ContactMemory{fresh_history, fresh})));
+                c, collide(a.shape, b.shape, Call{pair, law, dt, Memory{fresh_history, fresh}})));
             EXPECT_TRUE(same_bits(
-                c, collide(a.shape, b.shape, pair, law, dt, ContactMemory{wild_history, wild})));
+                c, collide(a.shape, b.shape, Call{pair, law, dt, Memory{wild_history, wild}})));
             quiet -= dt * ((pair.j.velocity - pair.i.velocity).norm() +
                            10.0 * (a.shape.bounding_radius + b.shape.bounding_radius));
             PairContact skipped;
             if (quiet <= 0.0) {
                 skipped =
-                    collide(a.shape, b.shape, pair, law, dt, ContactMemory{lazy_history, lazy});
+                    collide(a.shape, b.shape, Call{pair, law, dt, Memory{lazy_history, lazy}});
                 quiet = skipped.touches() ? 0.0 : lazy.gap;
             }
             EXPECT_TRUE(same_bits(c, skipped));
@@ -109,7 +110,7 @@ TEST(SrSrContinuous, ADirectionThatProvesAMissKeepsItsLength) {
         pair.j.orientation =
             (rotation(1e-4 * random.direction()) * pair.i.orientation).normalized();
         const PairContact c =
-            collide(body.shape, body.shape, pair, rough_law(), 1e-6, ContactMemory{history, miss});
+            collide(body.shape, body.shape, Call{pair, rough_law(), 1e-6, Memory{history, miss}});
         ASSERT_FALSE(c.touches());
         ASSERT_NEAR(Vec3(miss.axis).norm(), 1.0, 1e-14) << "step " << step;
     }
@@ -129,8 +130,8 @@ TEST(SrSrContinuous, SwappingThePairFlipsSignsOnly) {
         PointHistory h2;
         MissCache m1;
         MissCache m2;
-        const PairContact c = collide(a.shape, b.shape, pair, law, 1e-6, ContactMemory{h1, m1});
-        const PairContact s = collide(b.shape, a.shape, swapped, law, 1e-6, ContactMemory{h2, m2});
+        const PairContact c = collide(a.shape, b.shape, Call{pair, law, 1e-6, Memory{h1, m1}});
+        const PairContact s = collide(b.shape, a.shape, Call{swapped, law, 1e-6, Memory{h2, m2}});
         // Deep overlaps have several local minima; contacts are shallow.
         if (c.overlap > 2e-4 || s.overlap > 2e-4) continue;
         ASSERT_EQ(c.touches(), s.touches());
@@ -163,9 +164,9 @@ TEST(SrSrContinuous, ARigidMotionOfThePairTurnsTheForceWithIt) {
         MissCache m1;
         MissCache m2;
         const PairContact c =
-            collide(body.shape, body.shape, pair, law, 1e-6, ContactMemory{h1, m1});
+            collide(body.shape, body.shape, Call{pair, law, 1e-6, Memory{h1, m1}});
         const PairContact t =
-            collide(body.shape, body.shape, turned, law, 1e-6, ContactMemory{h2, m2});
+            collide(body.shape, body.shape, Call{turned, law, 1e-6, Memory{h2, m2}});
         if (!c.touches() || c.overlap > 5e-4) continue;
         EXPECT_LT((turn * c.force - t.force).norm(), 1e-7 * c.force.norm());
     }
@@ -180,7 +181,7 @@ TEST(SrSrContinuous, ASphereIsTheSameAsASurfaceOfRevolution) {
         PairState pair = random_pair(body, body, random);
         pair.displacement = random.uniform(5.95e-3, 6.02e-3) * random.direction();
         PointHistory h1;
-        const PairContact expected = collide(sphere, sphere, pair, law, 1e-6, h1);
+        const PairContact expected = collide(sphere, sphere, Call{pair, law, 1e-6, memory_of(h1)});
         const auto compare = [&](const PairContact& c) {
             ASSERT_EQ(c.touches(), expected.touches());
             EXPECT_NEAR(c.overlap, expected.overlap, 1e-16);
@@ -188,11 +189,9 @@ TEST(SrSrContinuous, ASphereIsTheSameAsASurfaceOfRevolution) {
         };
         PointHistory h2;
         MissCache miss;
-        compare(collide(body.shape, body.shape, pair, law, 1e-6, ContactMemory{h2, miss}));
+        compare(collide(body.shape, body.shape, Call{pair, law, 1e-6, Memory{h2, miss}}));
         h2 = {};
-        compare(collide(sphere, body.shape, pair, law, 1e-6, ContactMemory{h2, miss}));
-        h2 = {};
-        compare(collide(body.shape, sphere, pair, law, 1e-6, ContactMemory{h2, miss}));
+        compare(collide(sphere, body.shape, Call{pair, law, 1e-6, Memory{h2, miss}}));
     }
 }
 
@@ -205,14 +204,14 @@ TEST(SrSrContinuous, TheProvenGapIsSafe) {
         PairState pair = random_pair(a, b, random);
         PointHistory history;
         MissCache miss;
-        if (collide(a.shape, b.shape, pair, rough_law(), 1e-6, ContactMemory{history, miss})
+        if (collide(a.shape, b.shape, Call{pair, rough_law(), 1e-6, Memory{history, miss}})
                 .touches())
             continue;
         ASSERT_GE(miss.gap, 0.0);
         pair.displacement += 0.9999 * miss.gap * random.direction();
         MissCache fresh;
         EXPECT_FALSE(
-            collide(a.shape, b.shape, pair, rough_law(), 1e-6, ContactMemory{history, fresh})
+            collide(a.shape, b.shape, Call{pair, rough_law(), 1e-6, Memory{history, fresh}})
                 .touches());
     }
 }

@@ -9,6 +9,7 @@
 #include "runtime/contact/walls/wall_frame.hpp"
 #include "runtime/integrator/rigid_body.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
+#include "tests/runtime/contact/memory_of.hpp"
 
 #include <vector>
 
@@ -102,7 +103,7 @@ TEST(SrInsideCylinder, TheProvenGapIsSafe) {
     }
 }
 
-/// Overlap of a body with a rod by minimising over directions of the whole sphere: the rod's
+/// Overlap of a body with a rod by minimizing over directions of the whole sphere: the rod's
 /// support function is R n_r + max(0, L n_z).
 double rod_overlap_by_descent(const SrSupport& support, const CylinderWall& rod, const Vec3& center,
                               Random& random) {
@@ -183,17 +184,17 @@ TEST(SrWall, ASphereAsSurfaceOfRevolutionTouchesLikeASphere) {
         MissCache miss;
         place(random.uniform(-20e-3, 20e-3) * local_radial + random.uniform(2.9e-3, 3.05e-3) * z);
         const PlaneWall disc{15e-3};
-        expect_same(collide(sphere, disc, pair, law, 1e-6, h1),
-                    collide(body.shape, disc, pair, law, 1e-6, ContactMemory{h2, miss}));
+        expect_same(collide(sphere, disc, Call{pair, law, 1e-6, memory_of(h1)}),
+                    collide(body.shape, disc, Call{pair, law, 1e-6, Memory{h2, miss}}));
         h1 = {};
         place(random.uniform(16.95e-3, 17.1e-3) * local_radial + random.uniform(-5e-3, 55e-3) * z);
-        expect_same(collide(sphere, inside, pair, law, 1e-6, h1),
-                    collide(body.shape, inside, pair, law, 1e-6, ContactMemory{h3, miss}));
+        expect_same(collide(sphere, inside, Call{pair, law, 1e-6, memory_of(h1)}),
+                    collide(body.shape, inside, Call{pair, law, 1e-6, Memory{h3, miss}}));
         h1 = {};
         h3 = {};
         place(random.uniform(0.0, 8e-3) * local_radial + random.uniform(50.0e-3, 53e-3) * z);
-        expect_same(collide(sphere, rod, pair, law, 1e-6, h1),
-                    collide(body.shape, rod, pair, law, 1e-6, ContactMemory{h3, miss}));
+        expect_same(collide(sphere, rod, Call{pair, law, 1e-6, memory_of(h1)}),
+                    collide(body.shape, rod, Call{pair, law, 1e-6, Memory{h3, miss}}));
     }
 }
 
@@ -214,7 +215,7 @@ TEST(SrWall, AForceAtAPlaneDoesWhatItsOverlapChangesByAlsoWhereABodyRocksOnItsSi
             at.i.orientation = rotation(Vec3(0.0, 0.5 * pi + (passed + steps) * dt * 40.0, 0.0));
             PointHistory history;
             MissCache miss;
-            return collide(body.shape, PlaneWall{}, at, law, dt, ContactMemory{history, miss});
+            return collide(body.shape, PlaneWall{}, Call{at, law, dt, Memory{history, miss}});
         };
         const PairContact now = contact_at(0.0);
         ASSERT_TRUE(now.touches());

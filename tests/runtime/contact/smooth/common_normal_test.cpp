@@ -26,7 +26,7 @@ std::vector<SolidBody> bodies() {
             spheroid(2.5e-3, 5e-3)};
 }
 
-/// Axes at random, parallel, nearly parallel and crossed; centres along `direction` at random,
+/// Axes at random, parallel, nearly parallel and crossed; centers along `direction` at random,
 /// along an axis, across it.
 struct Pose {
     Vec3 axis_i, axis_j, direction;
@@ -43,7 +43,7 @@ Pose pose(Random& random, int k) {
     return p;
 }
 
-/// Distance of the centres at which the bodies overlap by `overlap`.
+/// Distance of the centers at which the bodies overlap by `overlap`.
 double distance_for(const SrSupport& a, const SrSupport& b, const Vec3& direction, double overlap) {
     double low = 1e-4;
     double high = 20e-3;
@@ -55,7 +55,7 @@ double distance_for(const SrSupport& a, const SrSupport& b, const Vec3& directio
     return low;
 }
 
-TEST(CommonNormal, ConvergesFromTheLineOfCentresForEveryPairOfShapes) {
+TEST(CommonNormal, ConvergesFromTheLineOfCentersForEveryPairOfShapes) {
     const std::vector<SolidBody> all = bodies();
     Random random(41, 1);
     double evaluations = 0.0;

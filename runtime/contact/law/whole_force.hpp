@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/contact/law/contact_law.hpp"
+#include "runtime/contact/law/effective_radius.hpp"
+
+namespace dem {
+
+/// The end of every contact's step, after its normal forces and its friction: the parts that act
+/// once per contact, then its history. Returns the moment on i [N m]; -moment acts on j.
+inline Vec3 end_step(const ContactLaw& law, const WholeContact& contact, const Ageing& ageing,
+                     ContactHistory& history, ContactEnergy& energy) {
+    const Vec3 moment = moment_of_parts(law, contact, history, energy);
+    history.normal = contact.normal;
+    history.dissipated += energy.dissipated;
+    energy.dissipated += age(law, ageing, history);
+    return moment;
+}
+
+}  // namespace dem
