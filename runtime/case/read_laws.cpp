@@ -43,6 +43,8 @@ ContactLaw options(const Values& values) {
     law.friction = values.optional_number("friction").value_or(0.0);
     law.stiffness_ratio = values.number("stiffness_ratio");
     law.damping_ratio = values.number("damping_ratio");
+    law.rolling = {values.choice<RollingResistance::Model>("rolling_model"),
+                   values.number("rolling_friction"), values.number("rolling_damping")};
     return law;
 }
 
@@ -85,6 +87,8 @@ std::string_view lacking(std::string_view key, const ContactLaw& law) {
         if (is_linear) return "model = hertz";
         return law.tangential == ContactLaw::Tangential::ratio ? "" : "tangential = ratio";
     }
+    if (key == "rolling_model" || key == "rolling_damping")
+        return law.rolling.friction > 0.0 ? "" : "a rolling_friction above 0";
     return "";
 }
 

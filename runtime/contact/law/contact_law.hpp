@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "runtime/contact/law/rolling.hpp"
 #include "runtime/contact/law/slipping_spring.hpp"
 #include "runtime/contact/law/whole_contact.hpp"
 
@@ -51,11 +52,15 @@ struct ContactLaw {
     double contact_time = 0.0;          ///< t_c sqrt(k_n / m) = sqrt(pi^2 + ln^2 e_n)
     double tangential_stiffness = 0.0;  ///< (pi^2 + ln^2 e_t) / (pi^2 + ln^2 e_n)
     double tangential_damping = 0.0;    ///< -2 ln e_t / sqrt(pi^2 + ln^2 e_n)
+
+    // Parts that act once per contact.
+    RollingResistance rolling;
 };
 
 /// The normal force alone.
 inline ContactLaw frictionless(ContactLaw law) {
     law.friction = 0.0;
+    law.rolling = {};
     return law;
 }
 
@@ -65,6 +70,7 @@ struct ContactHistory {
     double effective_radius = 0.0;  ///< R* frozen at the onset of the contact [m]
     double phase = 0.0;  ///< age in radians of its own oscillation; counts in laps once settled
     double dissipated = 0.0;  ///< by the contact so far; a stiffness that grows gives no more [J]
+    RollingHistory rolling;
 
     bool touched() const { return effective_radius > 0.0; }
 };
@@ -78,9 +84,12 @@ using SphereCall = Call<PointHistory, NoCache>;
 using SmoothCall = Call<PointHistory, MissCache>;
 
 /// Moment on i of the parts that act once per contact, in the order of docs/contact.md [N m].
-inline Vec3 moment_of_parts(const ContactLaw& /*law*/, const WholeContact& /*contact*/,
-                            ContactHistory& /*history*/, ContactEnergy& /*energy*/) {
-    return Vec3::Zero();
+inline Vec3 moment_of_parts(const ContactLaw& law, const WholeContact& contact,
+                            ContactHistory& history, ContactEnergy& energy) {
+    Vec3 moment = Vec3::Zero();
+    if (law.rolling.friction > 0.0)
+        moment += rolling_moment(law.rolling, contact, history.rolling, energy);
+    return moment;
 }
 
 }  // namespace dem

@@ -60,6 +60,17 @@ TEST(ReadScene, TangentialStiffnessIsMindlinsUnlessSaidOtherwise) {
     EXPECT_EQ(scene_of(sphere_case()).laws.at(0, 0).tangential, ContactLaw::Tangential::mindlin);
 }
 
+TEST(ReadScene, RollingResistanceIsOffUnlessSaidOtherwise) {
+    EXPECT_EQ(scene_of(sphere_case()).laws.at(0, 0).rolling.friction, 0.0);
+    const RollingResistance rolling =
+        scene_of(sphere_case(), "contact.rolling_friction=0.1", "contact.rolling_model=constant")
+            .laws.at(0, 0)
+            .rolling;
+    EXPECT_EQ(rolling.friction, 0.1);
+    EXPECT_EQ(rolling.model, RollingResistance::Model::constant);
+    EXPECT_EQ(rolling.damping, 0.3);
+}
+
 // The words of the key table stand in the order of the enums they become.
 TEST(ReadScene, EveryWordOfAChoiceBecomesTheEnumOfTheSameName) {
     const auto law = [](const std::string& assignment) {
@@ -123,6 +134,9 @@ TEST(ReadScene, KeysOfAnotherLawAreRefused) {
     EXPECT_EQ(case_message(sphere_case(), "contact.normal_stiffness=1e4"),
               "--set contact.normal_stiffness: 'normal_stiffness' means nothing here, expected it "
               "with model = linear");
+    EXPECT_EQ(case_message(sphere_case(), "contact.rolling_model=constant"),
+              "--set contact.rolling_model: 'rolling_model' means nothing here, expected it with a "
+              "rolling_friction above 0");
     EXPECT_EQ(
         case_message(sphere_case(), "contact.tangential=mindlin", "contact.stiffness_ratio=1"),
         "--set contact.stiffness_ratio: 'stiffness_ratio' means nothing here, expected it "
