@@ -116,12 +116,14 @@ Command parse_generate(const Words& words) {
 Command parse_inspect(const Words& words) {
     const OptionValues values(inspect_command, words);
     if (const auto print = wanted_words(values)) return *print;
+    static_cast<void>(threads(values));  // of which there is nothing to do here
     return InspectCommand{values.input("a .tpl file"), values.given("json")};
 }
 
 Command parse_export(const Words& words) {
     const OptionValues values(export_command, words);
     if (const auto print = wanted_words(values)) return *print;
+    static_cast<void>(threads(values));  // of which there is nothing to do here
     ExportCommand command;
     command.input = values.input("a .tpl file");
     values.check("", command.input);

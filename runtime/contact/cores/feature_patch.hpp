@@ -162,7 +162,7 @@ inline void add_remaining(const FeaturePoint& point, const FeatureSum& others,
     features.add(others, share);
 }
 
-/// The one feature of two polyhedra that touches, while the leash lasts (convex_lone.hpp).
+/// The one feature of two polyhedra that touches, while the leash lasts (lone_features.hpp).
 struct LoneFeature {
     enum class Kind : std::uint32_t { none, vertex_of_i, vertex_of_j, edges };
     Kind kind = Kind::none;
@@ -171,7 +171,7 @@ struct LoneFeature {
 };
 
 /// What of a flat end of a cylinder or a cone can touch the other body while the leash lasts
-/// (convex_round.hpp).
+/// (round_features.hpp).
 struct NearEnd {
     std::uint16_t samples = 0;  ///< a bit for each sample of the rim
     std::uint16_t can_touch = 0;

@@ -16,7 +16,7 @@ namespace dem {
 struct ConvexScratch {
     ConvexCap i, j;
     std::vector<FeaturePoint> points;  ///< of walls
-    std::vector<Vec3> corners;         ///< convex_centroid.hpp
+    std::vector<Vec3> corners;         ///< centroid.hpp
     std::vector<Vec2> polygon_i, polygon_j;
 };
 

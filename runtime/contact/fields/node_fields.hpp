@@ -21,8 +21,7 @@
 ///     double slack                distance(x) - distance(y) <= |x - y| + slack, y near the surface
 ///     double floor(x)             cheap lower bound of the distance, or -infinity [m]
 ///     double proven_gap(d)        a point at distance d >= 0 now, or farther, does not touch
-///     before
-///                                 it has come nearer to the surface by this [m]
+///                                 before it has come nearer to the surface by this [m]
 ///
 /// and, where its gradient may turn at once (crease.hpp),
 ///
