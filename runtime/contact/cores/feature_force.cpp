@@ -174,8 +174,9 @@ PairContact contact_force(const FeatureSum& features, double local_radius, const
     const double elastic = elastic_share(law) * patch.c.k_n * square(patch.overlap);
     energy.elastic = elastic;
     const WholeContact whole{
-        features.pair(), dt,     !history.touched(),         patch.normal, history.normal,
-        patch.center,    radius, patch.c.k_n * patch.weight, patch.load,   history.dissipated};
+        features.pair(),   dt,           !history.touched(),         patch.normal,
+        history.normal,    patch.center, patch.c.k_n * patch.weight, patch.load,
+        history.dissipated};
     if (law.friction > 0.0) add_friction(patch, features, law, dt, history, contact, energy);
     const Vec3 moment = end_step(
         law, whole, {local_radius, radius, patch.c.frequency * dt, elastic}, history, energy);

@@ -145,7 +145,7 @@ void add_force(PairContact& contact, const Vec3& force, const Vec3& r_i, const P
 }
 
 /// What contact_force was called with, and R* of this step.
-struct PatchCall {
+struct PatchInput {
     std::span<const ContactPoint> points;
     const PairState& pair;
     const ContactLaw& law;
@@ -174,7 +174,7 @@ struct StandIn {
 };
 
 template <class Patch>
-StandIn stand_in(const Patch& patch, const PatchCall& call, const PatchSlots& chosen,
+StandIn stand_in(const Patch& patch, const PatchInput& call, const PatchSlots& chosen,
                  const Load& load) {
     if (chosen.count == call.points.size()) return {};
     Load held;
@@ -188,8 +188,8 @@ StandIn stand_in(const Patch& patch, const PatchCall& call, const PatchSlots& ch
 
 /// Adds the friction of the points in slots.
 template <class Patch>
-void add_friction(const Patch& patch, const PatchCall& call, const Load& load, PairContact& contact,
-                  ContactEnergy& energy) {
+void add_friction(const Patch& patch, const PatchInput& call, const Load& load,
+                  PairContact& contact, ContactEnergy& energy) {
     const PatchSlots chosen = choose_slots(call.points, call.history);
     const auto [scale, shift] = stand_in(patch, call, chosen, load);
     for (std::size_t k = 0; k < chosen.count; ++k) {
@@ -217,7 +217,7 @@ void add_friction(const Patch& patch, const PatchCall& call, const Load& load, P
 }
 
 /// The patch as one contact.
-WholeContact whole_contact(const PatchCall& call, const Load& load, double overlap,
+WholeContact whole_contact(const PatchInput& call, const Load& load, double overlap,
                            double normal_force) {
     const double size = load.direction.norm();
     const Vec3 normal =
@@ -229,14 +229,13 @@ WholeContact whole_contact(const PatchCall& call, const Load& load, double overl
             normal,
             call.history.normal,
             force > 0.0 ? Vec3(load.moment / force) : call.points.front().position,
-            call.radius,
             force / overlap,
-            friction_load(call.law, force, normal_force),
+            friction_load(call.law, force, std::max(normal_force, 0.0)),
             call.history.dissipated};
 }
 
 template <class Patch>
-PairContact patch_force(const PatchCall& call) {
+PairContact patch_force(const PatchInput& call) {
     const Patch patch(call.points, call.pair, call.law, call.radius);
     PairContact contact;
     ContactEnergy energy;
@@ -279,7 +278,9 @@ PairContact single_force(const ContactPoint& point, double local_radius, const P
     PointHistory single;
     static_cast<ContactHistory&>(single) = history;
     static_cast<SpringHistory&>(single) = slot;
-    single.normal = slot.normal;
+    // Friction's spring lies across the normal of its slot, which frictionless contacts leave
+    // alone.
+    if (law.friction > 0.0) single.normal = slot.normal;
     PairContact contact = contact_force(point, local_radius, pair, law, dt, single);
     static_cast<ContactHistory&>(history) = single;
     static_cast<SpringHistory&>(slot) = single;
@@ -298,20 +299,20 @@ PairContact contact_force(std::span<const ContactPoint> points, double local_rad
         if (history.touched()) history = {};
         return {};
     }
+    ContactPoint deepest = points.front();
+    if (law.geometry.multi_contact == ContactLaw::MultiContact::deepest) {
+        for (const ContactPoint& p : points)
+            if (p.overlap > deepest.overlap) deepest = p;
+        deepest.feature = 0;  // one spring, whichever point is deepest
+        points = std::span(&deepest, 1);
+    }
     if (is_single(points, history))
         return single_force(points[0], local_radius, pair, law, dt, history);
-    PatchCall call{points, pair, law, dt, history, 0.0, local_radius};
-    call.radius = effective_radius(law, local_radius, history);
+    PatchInput input{points, pair, law, dt, history, 0.0, local_radius};
+    input.radius = effective_radius(law, local_radius, history);
     if (law.geometry.multi_contact == ContactLaw::MultiContact::sum)
-        return patch_force<SumPatch>(call);
-    if (law.geometry.multi_contact == ContactLaw::MultiContact::norm)
-        return patch_force<NormPatch>(call);
-    ContactPoint deepest = points.front();
-    for (const ContactPoint& p : points)
-        if (p.overlap > deepest.overlap) deepest = p;
-    deepest.feature = 0;  // one spring, whichever point is deepest
-    call.points = std::span(&deepest, 1);
-    return patch_force<NormPatch>(call);
+        return patch_force<SumPatch>(input);
+    return patch_force<NormPatch>(input);
 }
 
 }  // namespace dem

@@ -39,7 +39,7 @@ inline PointForce point_force(const PointMotion& point, double local_radius, con
                                       history, f.energy);
     }
     f.moment =
-        end_step(law, {pair, dt, is_new, n, last_normal, point.lever, radius, c.k_n, load, taken},
+        end_step(law, {pair, dt, is_new, n, last_normal, point.lever, c.k_n, load, taken},
                  {local_radius, radius, c.frequency * dt, normal_elastic}, history, f.energy);
     return f;
 }

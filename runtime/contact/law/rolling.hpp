@@ -11,14 +11,16 @@
 
 /// Resistance to rolling, Ai et al. (2011) (docs/contact.md, "Rolling resistance"): a moment
 /// against the relative rotation omega_r of the two surfaces across the normal,
-///   M = -k_r theta - eta_r omega_r, |M| <= mu_r R* F_n,    eta_r = 2 zeta_r sqrt(I_r k_r)
+///   M = -k_r theta - eta_r omega_r, |M| <= mu_r R_r F_n,    eta_r = 2 zeta_r sqrt(I_r k_r)
 /// theta rolling angle, a spring that slips; F_n elastic normal force; I_r reduced moment of
-/// inertia about the contact.
+/// inertia about the contact; R_r rolling radius, 1/(1/l_i + 1/l_j) of the levers from the centers
+/// to the contact: R* of two spheres, and of other bodies a size that does not depend on how they
+/// are curved where they touch.
 namespace dem {
 
 struct RollingResistance {
-    /// Which k_r: 2.25 k_n mu_r^2 R*^2 (their type C), which a body may swing on before it rolls;
-    /// or k_n R*^2, which makes the moment constant but for the first mu_r d of rolling (type A).
+    /// Which k_r: 2.25 k_n mu_r^2 R_r^2 (their type C), which a body may swing on before it rolls;
+    /// or k_n R_r^2, which makes the moment constant but for the first mu_r d of rolling (type A).
     enum class Model : std::uint8_t { elastic_plastic, constant };
     Model model = Model::elastic_plastic;
     double friction = 0.0;  ///< mu_r; 0: no resistance
@@ -30,13 +32,39 @@ struct RollingHistory {
     double stiffness = 0.0;  ///< k_r of the step before [N m]
 };
 
-/// What one body gives way to a rotation about `axis` (unit) on the other: 1/(I + m l^2), l its
-/// lever [1/(kg m^2)].
-inline double inverse_rolling_inertia(const BodyState& body, double lever2, const Vec3& axis) {
+/// How easily one body turns about an axis in a rolling contact.
+struct RollingInertia {
+    double inverse_free = 0.0;     ///< 1/I, about its own center [1/(kg m^2)]
+    double inverse_rolling = 0.0;  ///< 1/(I + m l^2), l the part of its lever across the axis
+    double inverse_lever =
+        0.0;  ///< 1 over its lever [1/m]; 0 for walls and fixed bodies, which count as flat
+};
+inline RollingInertia rolling_inertia(const BodyState& body, const Vec3& lever, const Vec3& axis) {
     const double inverse_mass = body.inverse_inertia.mass;
-    if (!(inverse_mass > 0.0)) return 0.0;
+    if (!(inverse_mass > 0.0)) return {};
     const double inverse = inverse_inertia_along(body, axis);
-    return inverse / (1.0 + inverse * lever2 / inverse_mass);
+    const double about = inverse * lever.cross(axis).squaredNorm() / inverse_mass;
+    return {inverse, inverse / (1.0 + about), 1.0 / lever.norm()};
+}
+
+/// The spring that resists a rotation about an axis.
+inline SlippingSpring rolling_spring(const RollingResistance& law, const WholeContact& contact,
+                                     const Vec3& axis) {
+    const PairState& pair = contact.pair;
+    const RollingInertia i = rolling_inertia(pair.i, contact.center, axis);
+    const RollingInertia j = rolling_inertia(pair.j, contact.center - pair.displacement, axis);
+    const double radius = 1.0 / (i.inverse_lever + j.inverse_lever);
+    const double inverse_inertia = i.inverse_rolling + j.inverse_rolling;
+    const double softening =
+        law.model == RollingResistance::Model::constant ? 1.0 : 2.25 * square(law.friction);
+    // No stiffer, and damped no more, than a step can follow.
+    constexpr double largest_phase = 0.1;
+    constexpr double largest_decay = 0.2;
+    const double k = std::min(softening * contact.stiffness * square(radius),
+                              square(largest_phase / contact.dt) / inverse_inertia);
+    const double gamma = std::min(2.0 * law.damping * std::sqrt(k / inverse_inertia),
+                                  largest_decay / contact.dt / (i.inverse_free + j.inverse_free));
+    return {k, gamma, law.friction * radius * contact.load};
 }
 
 /// Moment on i [N m]; -moment acts on j.
@@ -55,21 +83,11 @@ inline Vec3 rolling_moment(const RollingResistance& law, const WholeContact& con
         history = {};
         return Vec3::Zero();
     }
-    const Vec3 axis = ahead / std::sqrt(ahead2);
-    const double inverse_inertia =
-        inverse_rolling_inertia(pair.i, contact.center.squaredNorm(), axis) +
-        inverse_rolling_inertia(pair.j, (contact.center - pair.displacement).squaredNorm(), axis);
-    const double softening =
-        law.model == RollingResistance::Model::constant ? 1.0 : 2.25 * square(law.friction);
-    // Flat bodies have a large R*: no stiffer than a step can follow.
-    constexpr double largest_phase = 0.1;
-    const double k = std::min(softening * contact.stiffness * square(contact.radius),
-                              square(largest_phase / contact.dt) / inverse_inertia);
-    const SlippingSpring spring{k, 2.0 * law.damping * std::sqrt(k / inverse_inertia),
-                                law.friction * contact.radius * contact.load};
-    energy.dissipated += restiffen(history.stiffness, k, contact.taken + energy.dissipated, angle);
+    const SlippingSpring spring = rolling_spring(law, contact, ahead / std::sqrt(ahead2));
+    energy.dissipated +=
+        restiffen(history.stiffness, spring.k, contact.taken + energy.dissipated, angle);
     const SpringForce f = slipping_force(spring, rate, contact.dt, angle);
-    history = {angle, k};
+    history = {angle, spring.k};
     energy.elastic += f.elastic;
     energy.dissipated += f.dissipated;
     return f.force;

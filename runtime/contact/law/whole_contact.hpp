@@ -14,7 +14,6 @@ struct WholeContact {
     Vec3 normal;       ///< unit, from j towards i
     Vec3 last_normal;  ///< in the step before
     Vec3 center;       ///< of the load, relative to the center of i [m]
-    double radius;     ///< R* of this step [m]
     double stiffness;  ///< load over overlap [N/m]
     double load;       ///< that friction is a share of [N]
     double taken;      ///< dissipated by the contact before this step [J]
