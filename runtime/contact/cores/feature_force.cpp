@@ -49,11 +49,21 @@ void add_normal(const FeatureSum& features, const ContactLaw& law, double dt, Pa
     energy.dissipated += dashpot * features.squared_rate() * dt;
 }
 
-void add_torsion(const Patch& patch, const PairState& pair, const ContactLaw& law, double dt,
-                 ConvexHistory& history, PairContact& contact, ContactEnergy& energy) {
+/// What contact_force was called with, and the energies it adds up.
+struct Step {
+    const FeatureSum& features;
+    const ContactLaw& law;
+    double dt;
+    ConvexHistory& history;
+    ContactEnergy& energy;
+};
+
+void add_torsion(const Patch& patch, const Step& step, PairContact& contact) {
+    const PairState& pair = step.features.pair();
     const double rate = (pair.i.angular_velocity - pair.j.angular_velocity).dot(patch.normal);
-    const SlippingSpring spring = torsion_spring(patch.tangential(law), patch.spread2);
-    const Vec3 torque = torsion_moment(spring, rate, dt, history, energy) * patch.normal;
+    const SlippingSpring spring = torsion_spring(patch.tangential(step.law), patch.spread2);
+    const Vec3 torque =
+        torsion_moment(spring, rate, step.dt, step.history, step.energy) * patch.normal;
     contact.torque_i += torque;
     contact.torque_j -= torque;
 }
@@ -110,8 +120,8 @@ void add_push(const FeatureSum& features, double push, PairContact& contact) {
     contact.torque_j += sum.torque_j;
 }
 
-void add_friction(const Patch& patch, const FeatureSum& features, const ContactLaw& law, double dt,
-                  ConvexHistory& history, PairContact& contact, ContactEnergy& energy) {
+void add_friction(const Patch& patch, const Step& step, PairContact& contact) {
+    const auto& [features, law, dt, history, energy] = step;
     const PairState& pair = features.pair();
     const Vec3& n = patch.normal;
     const Vec3 u = relative_velocity(pair, patch.center);
@@ -141,7 +151,7 @@ void add_friction(const Patch& patch, const FeatureSum& features, const ContactL
     contact.torque_j -= (patch.center - pair.displacement).cross(t.force);
     energy.elastic += t.elastic;
     energy.dissipated += t.dissipated;
-    add_torsion(patch, pair, law, dt, history, contact, energy);
+    add_torsion(patch, step, contact);
 }
 
 Patch patch_of(const FeatureSum& features, double radius, const ContactLaw& law) {
@@ -177,7 +187,7 @@ PairContact contact_force(const FeatureSum& features, double local_radius, const
         features.pair(),   dt,           !history.touched(),         patch.normal,
         history.normal,    patch.center, patch.c.k_n * patch.weight, patch.load,
         history.dissipated};
-    if (law.friction > 0.0) add_friction(patch, features, law, dt, history, contact, energy);
+    if (law.friction > 0.0) add_friction(patch, {features, law, dt, history, energy}, contact);
     const Vec3 moment = end_step(
         law, whole, {local_radius, radius, patch.c.frequency * dt, elastic}, history, energy);
     contact.torque_i += moment;

@@ -10,7 +10,7 @@ namespace dem {
 /// once per contact, then its history. Returns the moment on i [N m]; -moment acts on j.
 inline Vec3 end_step(const ContactLaw& law, const WholeContact& contact, const Ageing& ageing,
                      ContactHistory& history, ContactEnergy& energy) {
-    const Vec3 moment = moment_of_parts(law, contact, history, energy);
+    Vec3 moment = moment_of_parts(law, contact, history, energy);
     history.normal = contact.normal;
     history.dissipated += energy.dissipated;
     energy.dissipated += age(law, ageing, history);
