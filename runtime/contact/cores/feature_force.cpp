@@ -120,11 +120,32 @@ void add_push(const FeatureSum& features, double push, PairContact& contact) {
     contact.torque_j += sum.torque_j;
 }
 
+/// Where friction acts, relative to the center of i [m]: at the load. As long as it holds a contact
+/// that has settled, it stays where it is on the surfaces, as far from the load as the points
+/// reach. If it went along with the load of a body that rocks it would turn the body with every
+/// rock, and what is turned is pushed aside by its spring and rocks: bodies swung for ever.
+Vec3 place_of_friction(const Patch& patch, const Step& step) {
+    const FeatureSum& features = step.features;
+    if (!(step.history.phase > settled_phase) || features.count() == 1) return patch.center;
+    const PairState& pair = features.pair();
+    const Vec3 last = step.history.place;
+    // Carried by both bodies alike.
+    const Vec3 by_j =
+        pair.j.velocity - pair.i.velocity + pair.j.angular_velocity.cross(last - pair.displacement);
+    const Vec3 way = 0.5 * step.dt * (pair.i.angular_velocity.cross(last) + by_j);
+    Vec3 away = last + way - patch.center;
+    away -= away.dot(patch.normal) * patch.normal;
+    const double size2 = away.squaredNorm();
+    if (!(size2 > 0.0)) return patch.center;
+    return patch.center + std::min(1.0, std::sqrt(features.squared_spread(away)) / size2) * away;
+}
+
 void add_friction(const Patch& patch, const Step& step, PairContact& contact) {
     const auto& [features, law, dt, history, energy] = step;
     const PairState& pair = features.pair();
     const Vec3& n = patch.normal;
-    const Vec3 u = relative_velocity(pair, patch.center);
+    const Vec3 place = place_of_friction(patch, step);
+    const Vec3 u = relative_velocity(pair, place);
     const Vec3 u_t = u - u.dot(n) * n;
     Vec3 spring = Vec3::Zero();
     double before = history.stiffness;
@@ -147,8 +168,10 @@ void add_friction(const Patch& patch, const Step& step, PairContact& contact) {
     history.stiffness = k_t;
     history.weight = patch.weight;
     contact.force += t.force;
-    contact.torque_i += patch.center.cross(t.force);
-    contact.torque_j -= (patch.center - pair.displacement).cross(t.force);
+    contact.torque_i += place.cross(t.force);
+    contact.torque_j -= (place - pair.displacement).cross(t.force);
+    const bool slips = t.force.norm() > (1.0 - 1e-9) * law.friction * patch.load;
+    history.place = slips ? patch.center : place;
     energy.elastic += t.elastic;
     energy.dissipated += t.dissipated;
     add_torsion(patch, step, contact);

@@ -68,7 +68,7 @@ class FeatureSum {
         rate_ += w * rate;
         squared_rate_ += w * rate * rate;
         position_ += w * p.position;
-        squared_position_ += w * p.position.squaredNorm();
+        squared_position_ += w * (p.position * p.position.transpose());
         ++count_;
     }
 
@@ -118,7 +118,12 @@ class FeatureSum {
     Vec3 center() const { return position_ / weight_; }
     /// Mean squared distance of the points from their center [m^2].
     double squared_spread() const {
-        return std::max(0.0, squared_position_ / weight_ - center().squaredNorm());
+        return std::max(0.0, squared_position_.trace() / weight_ - center().squaredNorm());
+    }
+    /// The same along a direction, times the square of its length [m^4].
+    double squared_spread(const Vec3& along) const {
+        return std::max(
+            0.0, along.dot(squared_position_ * along) / weight_ - square(center().dot(along)));
     }
 
   private:
@@ -131,7 +136,7 @@ class FeatureSum {
     double rate_ = 0.0, squared_rate_ = 0.0;
     PairWrench direction_, of_weights_, rates_;
     Vec3 position_ = Vec3::Zero();
-    double squared_position_ = 0.0;
+    Mat3 squared_position_ = Mat3::Zero();
     std::uint32_t count_ = 0;
 };
 
@@ -181,6 +186,7 @@ using NearEnds = std::array<NearEnd, 2>;
 /// History of a pair of which at least one body is of kind `convex`. All zero: no contact.
 struct ConvexHistory : ContactHistory, SpringHistory, TorsionHistory {
     double weight = 0.0;   ///< of the features together in the step before
+    StoredVec3 place;      ///< where friction acted, relative to the center of i [m]
     double deepest = 0.0;  ///< overlap so far [m]; with `held` for laws without slip only
     double held = 0.0;     ///< longest spring over overlap, while that was no less than half
     SearchStart search;    ///< where the search for the distance starts
