@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -246,4 +246,4 @@ Aabb domain(const Scene& scene) {
             (box.upper.array() + room).min(farthest_coordinate)};
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -4,7 +4,7 @@
 #include "common/math/aabb.hpp"
 #include "runtime/scene.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// No coordinate of a body may be larger [m]: so far out positions lose the digits that contacts
 /// need, and cells of grids their numbers.
@@ -31,4 +31,4 @@ double largest_impact_speed(const Scene& scene);
 /// there to find bodies that got out, not to hold them.
 Aabb domain(const Scene& scene);
 
-}  // namespace dem
+}  // namespace dem::runtime

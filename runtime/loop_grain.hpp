@@ -5,7 +5,7 @@
 
 /// Elements of the time loop's loops that take some five microseconds, the grain in which threads
 /// share them (common/threads/thread_team.hpp): less is done sooner than a second thread has come.
-namespace dem {
+namespace dem::runtime {
 
 /// Grain of loops over bodies: 5 to 60 ns each.
 constexpr std::size_t bodies_at_a_time = 256;
@@ -13,4 +13,4 @@ constexpr std::size_t bodies_at_a_time = 256;
 /// polyhedra.
 constexpr std::size_t pairs_at_a_time = 32;
 
-}  // namespace dem
+}  // namespace dem::runtime

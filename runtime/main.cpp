@@ -19,6 +19,7 @@
 
 #include <boost/program_options.hpp>
 
+namespace dem::runtime {
 namespace {
 
 namespace po = boost::program_options;
@@ -64,8 +65,8 @@ std::optional<std::string> unquoted_override(const std::vector<std::string>& wor
         const std::string value = words[k].substr(words[k].starts_with("--set=") ? 6 : 0);
         std::string whole = value;
         whole.append(" ").append(next);
-        return dem::in_quotes(next) + " found after " + dem::in_quotes(value) +
-               ", expected quotes around a value with blanks: --set " + dem::in_quotes(whole);
+        return "found " + in_quotes(next) + " after " + in_quotes(value) +
+               ", expected quotes around a value with blanks: --set " + in_quotes(whole);
     }
     return std::nullopt;
 }
@@ -88,53 +89,53 @@ po::variables_map parse(int argc, char** argv) {
                   values);
     } catch (const po::error& error) {
         const auto unquoted = unquoted_override({argv, argv + argc});
-        if (unquoted) throw dem::UsageError("--set", *unquoted);
-        throw dem::UsageError(std::string(error.what()) + ", expected what --help lists");
+        if (unquoted) throw UsageError("--set", *unquoted);
+        throw UsageError(std::string(error.what()) + ", expected what --help lists");
     }
     return values;
 }
 
 int threads(const std::string& words) {
-    const auto number = dem::whole_number(words);
+    const auto number = whole_number(words);
     if (number && *number <= 4096) return static_cast<int>(*number);
-    throw dem::UsageError("--threads " + dem::in_quotes(words) +
-                          " found, expected a whole number from 0 to 4096");
+    throw UsageError("--threads: found " + in_quotes(words) +
+                     ", expected a whole number from 0 to 4096");
 }
 
 CommandLine command_line(const po::variables_map& values) {
     CommandLine line;
-    if (values.count("case") == 0) throw dem::UsageError("no case file given, expected case.ini");
+    if (values.count("case") == 0) throw UsageError("no case file given, expected case.ini");
     line.case_path = values["case"].as<std::string>();
     if (values.count("out") != 0) line.directory = values["out"].as<std::string>();
     if (values.count("out") != 0 && line.directory->empty()) {
-        throw dem::UsageError("--out: nothing found, expected a folder");
+        throw UsageError("--out: found nothing, expected a folder");
     }
     if (values.count("threads") != 0) line.threads = threads(values["threads"].as<std::string>());
     if (values.count("set") != 0) line.overrides = values["set"].as<std::vector<std::string>>();
     line.resume = values.count("resume") != 0;
     line.force = values.count("force") != 0;
     if (line.resume && line.force) {
-        throw dem::UsageError("--resume and --force found, expected at most one of them");
+        throw UsageError("found --resume and --force, expected at most one of them");
     }
     line.check = values.count("check") != 0;
     line.quiet = values.count("quiet") != 0;
     return line;
 }
 
-dem::Scene scene_of(const CommandLine& line) {
-    dem::ThreadTeam team(line.threads.value_or(0));
-    const dem::ThreadTeam::InForce together(&team);
-    dem::CaseFile file = dem::read_case_file(line.case_path);
-    for (const std::string& assignment : line.overrides) dem::override_value(file, assignment);
-    dem::Scene scene = dem::read_scene(file);
+Scene scene_of(const CommandLine& line) {
+    ThreadTeam team(line.threads.value_or(0));
+    const ThreadTeam::InForce together(&team);
+    CaseFile file = read_case_file(line.case_path);
+    for (const std::string& assignment : line.overrides) override_value(file, assignment);
+    Scene scene = read_scene(file);
     if (line.threads) scene.run.threads = *line.threads;
     scene.output.directory =
         line.directory.value_or(std::filesystem::path(line.case_path).stem().string());
     return scene;
 }
 
-void report(const dem::RunResult& result, const std::string& directory) {
-    if (result.end == dem::RunResult::End::interrupted) {
+void report(const RunResult& result, const std::string& directory) {
+    if (result.end == RunResult::End::interrupted) {
         std::cerr << "demrun: interrupted at " << result.time
                   << " s; what was computed is kept, --resume goes on from here\n";
     }
@@ -145,7 +146,7 @@ void report(const dem::RunResult& result, const std::string& directory) {
         return;
     }
     std::cout << result.particles << " particles, " << result.steps << " steps to " << result.time
-              << " s in " << dem::format_duration(result.wall_time) << " ("
+              << " s in " << format_duration(result.wall_time) << " ("
               << result.microseconds_per_particle_step << " us per particle and step)\nresults in "
               << directory << "\n";
     if (result.core_overlaps > 0) {
@@ -158,15 +159,15 @@ void report(const dem::RunResult& result, const std::string& directory) {
 
 /// One line per group of which bodies are missing. Returns whether a region could not hold what the
 /// case wanted in it; bodies that were not due yet are what the user asked for.
-bool report_missing(const dem::RunResult& result) {
-    const bool is_interrupted = result.end == dem::RunResult::End::interrupted;
+bool report_missing(const RunResult& result) {
+    const bool is_interrupted = result.end == RunResult::End::interrupted;
     bool failed = false;
-    for (const dem::MissingBodies& group : result.missing) {
+    for (const MissingBodies& group : result.missing) {
         if (is_interrupted && group.crowded_out == 0) continue;
         const bool is_error = !is_interrupted && group.crowded_out > 0;
         std::cerr << "demrun: " << (is_error ? "error: " : "warning: ");
         if (group.crowded_out > 0) {
-            std::cerr << dem::crowding(group) << "\n";
+            std::cerr << crowding(group) << "\n";
         } else {
             std::cerr << group.where << ": [particles." << group.group << "]: " << group.placed
                       << " of " << group.count << " bodies were placed, the others were not due by "
@@ -179,28 +180,27 @@ bool report_missing(const dem::RunResult& result) {
 
 /// The exit code.
 int run(const CommandLine& line) {
-    dem::Scene scene = scene_of(line);
+    Scene scene = scene_of(line);
     if (line.check) {
         std::optional<double> resumed_at;
-        if (line.resume) resumed_at = dem::check_resume(scene);
-        std::cout << dem::check_scene(scene, resumed_at);
+        if (line.resume) resumed_at = check_resume(scene);
+        std::cout << check_scene(scene, resumed_at);
         const std::string& folder = scene.output.directory;
-        const std::string results = dem::earlier_results(folder);
+        const std::string results = earlier_results(folder);
         if (!line.resume && !line.force && !results.empty())
             std::cout << "warning: the run would be refused: " << folder << " " << results << "\n";
         return 0;
     }
-    dem::note_stop_signals();
-    dem::survive_failing_writes();
+    note_stop_signals();
+    survive_failing_writes();
     const std::string directory = scene.output.directory;
-    dem::Progress progress(std::cerr, dem::Progress::stderr_style(line.quiet), "demrun",
-                           scene.run.end_time);
-    dem::RunOptions run_options;
+    Progress progress(std::cerr, Progress::stderr_style(line.quiet), "demrun", scene.run.end_time);
+    RunOptions run_options;
     run_options.progress = &progress;
-    run_options.stop_signal = &dem::stop_signal();
+    run_options.stop_signal = &stop_signal();
     run_options.resume = line.resume;
     run_options.force = line.force;
-    const dem::RunResult result = dem::run(std::move(scene), run_options);
+    const RunResult result = run(std::move(scene), run_options);
     if (!line.quiet) report(result, directory);
     return report_missing(result) ? 1 : 0;
 }
@@ -213,17 +213,17 @@ int obey(const po::variables_map& values) {
     } else if (values.count("version") != 0) {
         std::cout << "demrun " DEM_VERSION "\n";
     } else if (values.count("keys") != 0) {
-        std::cout << dem::describe_keys();
+        std::cout << describe_keys();
     } else {
         code = run(command_line(values));
     }
     std::cout.flush();
-    if (!std::cout) throw dem::Error("standard output", "could not be written");
+    if (!std::cout) throw Error("standard output", "could not be written");
     return code;
 }
 
 int fail(const std::string& message, int code) {
-    std::cerr << "demrun: error: " << dem::readable(message) << "\n";
+    std::cerr << "demrun: error: " << readable(message) << "\n";
     return code;
 }
 
@@ -231,7 +231,7 @@ int fail(const std::string& message, int code) {
 int obey(int argc, char** argv) {
     try {
         return obey(parse(argc, argv));
-    } catch (const dem::UsageError& error) {
+    } catch (const UsageError& error) {
         return fail(error.what(), 2);
     } catch (const std::bad_alloc&) {
         return fail("not enough memory for this case, expected fewer bodies or smaller templates",
@@ -242,10 +242,11 @@ int obey(int argc, char** argv) {
 }
 
 }  // namespace
+}  // namespace dem::runtime
 
 int main(int argc, char** argv) {
     dem::open_standard_streams();
-    const int code = obey(argc, argv);
+    const int code = dem::runtime::obey(argc, argv);
     // Whatever was written: who asked for the end must see that it came.
     if (dem::stop_signal() != 0) dem::end_by_signal(dem::stop_signal());
     return code;

@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -260,4 +260,4 @@ std::string foreseen_overlap(const Scene& scene) {
     return text;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

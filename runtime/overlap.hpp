@@ -7,7 +7,7 @@
 
 /// How far bodies overlap by the laws of Hertz and of linear springs when they are taken as the
 /// spheres of their volumes, and what keeps that below a limit.
-namespace dem {
+namespace dem::runtime {
 
 /// Two bodies that meet centrally, or a body and a wall.
 struct Encounter {
@@ -40,4 +40,4 @@ std::string overlap_cause(const Scene& scene, const Encounter& e, double speed, 
 /// body moves.
 std::string foreseen_overlap(const Scene& scene);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/particles.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 void Particles::append(std::uint32_t kind_index, std::uint32_t group_index,
                        const BodyPlacement& placement, const BodyKind& body_kind) {
@@ -18,4 +18,4 @@ void Particles::append(std::uint32_t kind_index, std::uint32_t group_index,
     travel.push_back(0.0);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// State of every body, one array per quantity, indexed by the particle's id. World frame, SI.
 /// Masses and inertias are those of the body's kind (Scene::kinds).
@@ -38,4 +38,4 @@ struct Particles {
                 const BodyKind& body_kind);
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

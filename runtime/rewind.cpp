@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -45,4 +45,4 @@ std::unique_ptr<Simulation> Rewind::back_to(std::uint64_t steps, const Simulatio
     return simulation;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace dem {
+namespace dem::runtime {
 
 /// A way back from a step that failed to the last good state before it. Now and then, as often as
 /// costs nothing, it keeps a state in memory; from there the steps are taken again, with the same
@@ -33,4 +33,4 @@ class Rewind {
     double next_ = 0.0;  ///< when it is due again
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -23,7 +23,7 @@
 #include <string>
 #include <utility>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -263,4 +263,4 @@ RunResult run(Scene scene, const RunOptions& options) {
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 struct RunOptions {
     Progress* progress = nullptr;  ///< updated with the simulated time, out of Scene::run.end_time
@@ -65,4 +65,4 @@ RunResult run(Scene scene, const RunOptions& options);
 /// returns [s]. Writes nothing.
 double check_resume(Scene scene);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -14,7 +14,7 @@
 
 /// Everything a run needs, checked, in SI: what `runtime/case` makes of a case file and what
 /// `Simulation` consumes. Plain data.
-namespace dem {
+namespace dem::runtime {
 
 struct Material {
     std::string name;
@@ -152,4 +152,4 @@ inline Vec3 up_direction(const Scene& scene) {
     return scene.run.gravity.isZero() ? Vec3::UnitZ() : Vec3(-scene.run.gravity.normalized());
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

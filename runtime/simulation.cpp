@@ -15,7 +15,7 @@
 #include <atomic>
 #include <utility>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -166,4 +166,4 @@ std::uint64_t Simulation::state_hash() const {
     return hash.value();
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

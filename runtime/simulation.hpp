@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 class StateReader;
 class StateWriter;
@@ -88,4 +88,4 @@ class Simulation {
     double inserted_energy_ = 0.0;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

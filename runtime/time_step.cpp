@@ -12,7 +12,7 @@
 #include <limits>
 #include <set>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -178,4 +178,4 @@ TimeStep time_step(const Scene& scene) {
     return step;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

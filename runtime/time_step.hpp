@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace dem {
+namespace dem::runtime {
 
 /// The critical times of a scene, [SR] Eq. 23 with the correction of docs/time-loop.md, and the
 /// time step that follows.
@@ -33,4 +33,4 @@ TimeStep time_step(const Scene& scene);
 /// ...) for more than can be counted.
 std::uint64_t step_count(const RunSettings& run, double dt, const std::string& where);
 
-}  // namespace dem
+}  // namespace dem::runtime

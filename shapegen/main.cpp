@@ -14,10 +14,11 @@
 
 #include <unistd.h>
 
+namespace dem::shapegen {
 namespace {
 
 int fail(const std::exception& error, int code) {
-    std::cerr << "shapegen: error: " << dem::readable(error.what()) << '\n';
+    std::cerr << "shapegen: error: " << readable(error.what()) << '\n';
     return code;
 }
 
@@ -28,12 +29,12 @@ void clean_up_when_interrupted() {
     sigset_t signals;
     sigemptyset(&signals);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        if (dem::is_heeded(signal)) sigaddset(&signals, signal);
+        if (is_heeded(signal)) sigaddset(&signals, signal);
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // in all threads that are made from now on
     std::thread([signals] {
         int signal = 0;
         sigwait(&signals, &signal);
-        dem::remove_pending_files();
+        remove_pending_files();
         constexpr std::string_view words = "shapegen: interrupted, nothing written\n";
         const auto written = write(STDERR_FILENO, words.data(), words.size());
         _exit(written < 0 ? 1 : 128 + signal);
@@ -41,20 +42,21 @@ void clean_up_when_interrupted() {
 }
 
 }  // namespace
+}  // namespace dem::shapegen
 
 int main(int argc, char** argv) {
     dem::open_standard_streams();
-    clean_up_when_interrupted();
+    dem::shapegen::clean_up_when_interrupted();
     dem::survive_failing_writes();
     try {
         const std::span<const char* const> arguments(argv, static_cast<std::size_t>(argc));
-        dem::run_command(dem::parse_command_line(arguments), std::cout);
+        dem::shapegen::run_command(dem::shapegen::parse_command_line(arguments), std::cout);
         std::cout.flush();
         if (!std::cout) throw dem::Error("standard output", "could not be written");
         return 0;
     } catch (const dem::UsageError& error) {
-        return fail(error, 2);
+        return dem::shapegen::fail(error, 2);
     } catch (const std::exception& error) {
-        return fail(error, 1);
+        return dem::shapegen::fail(error, 1);
     }
 }

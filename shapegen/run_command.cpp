@@ -25,7 +25,7 @@
 #include <memory>
 #include <ostream>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -218,4 +218,4 @@ void run_command(const Command& command, std::ostream& out) {
     std::visit([&out](const auto& chosen) { run(chosen, out); }, command);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

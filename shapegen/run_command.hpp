@@ -5,9 +5,9 @@
 
 #include <iosfwd>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Does what the command line asks for; what the user reads goes to `out`. Throws Error.
 void run_command(const Command& command, std::ostream& out);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <variant>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -97,4 +97,4 @@ Aabb BodyAabbs::box(std::uint32_t shape, const Vec3& position, const Quat& orien
     return box;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

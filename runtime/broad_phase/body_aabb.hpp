@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Boxes that hold whole bodies: exact for spheres, clumps and convex surfaces of revolution, for
 /// others the box of the circular cylinder about the axis that holds the shape.
@@ -26,4 +26,4 @@ class BodyAabbs {
     std::vector<Cylinder> cylinders_;  ///< per shape; used for non-convex ones
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -18,7 +18,7 @@
 // Cells are found by a hash that keeps neighbors along x in neighboring buckets; entries of other
 // cells that share a bucket are told apart by their cell's coordinates.
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -178,4 +178,4 @@ std::vector<IdPair> overlapping_pairs(std::span<const Aabb> boxes) {
     return sorted(parts, count);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 struct IdPair {
     std::uint32_t i, j;  ///< i < j
@@ -19,4 +19,4 @@ struct IdPair {
 /// boxes must be finite. The same for any number of threads.
 std::vector<IdPair> overlapping_pairs(std::span<const Aabb> boxes);
 
-}  // namespace dem
+}  // namespace dem::runtime

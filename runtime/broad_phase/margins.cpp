@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::vector<double> wall_margins(const Scene& scene) {
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

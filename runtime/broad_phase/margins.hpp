@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// How far each particle may move before neighbor lists are made anew [m]. A given skin is shared
 /// by the two bodies of a pair: half of it each. Otherwise every particle gets what it needs for
@@ -20,4 +20,4 @@ std::vector<double> margins(const Particles& particles, const Scene& scene,
 /// How far every wall may move before the lists are made again; 0 for walls that stand still.
 std::vector<double> wall_margins(const Scene& scene);
 
-}  // namespace dem
+}  // namespace dem::runtime

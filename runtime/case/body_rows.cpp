@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -71,4 +71,4 @@ void place_rows(const std::vector<BodyRow>& rows, InsertionGroup& group) {
     group.kinds.erase(std::unique(group.kinds.begin(), group.kinds.end()), group.kinds.end());
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

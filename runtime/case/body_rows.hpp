@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// The rows of the table of an `insert = file` group; fills the group's file and count. Throws
 /// Error naming the key, or the table and line.
@@ -19,4 +19,4 @@ std::vector<BodyRow> read_body_rows(const Values& values, const std::filesystem:
 /// once afterwards.
 void place_rows(const std::vector<BodyRow>& rows, InsertionGroup& group);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -9,7 +9,7 @@
 #include <cctype>
 #include <cstdio>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -192,4 +192,4 @@ void override_value(CaseFile& file, std::string_view assignment) {
     }
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

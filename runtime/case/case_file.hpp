@@ -8,7 +8,7 @@
 /// The text of a case file, taken apart into sections and keys. What the keys mean is the business
 /// of runtime/case. Boost.Program_options reads INI files too, but keeps no line numbers, and every
 /// message about a case must name the line.
-namespace dem {
+namespace dem::runtime {
 
 /// One `key = value`.
 struct CaseEntry {
@@ -45,4 +45,4 @@ CaseFile parse_case(std::string_view text, const std::string& path);
 /// there. The key is what follows the last dot before the `=`. Throws UsageError naming the option.
 void override_value(CaseFile& file, std::string_view assignment);
 
-}  // namespace dem
+}  // namespace dem::runtime

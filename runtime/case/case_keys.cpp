@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/case/key.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -482,4 +482,4 @@ std::span<const SectionKind> section_kinds() {
     return kinds;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

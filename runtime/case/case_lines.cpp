@@ -11,7 +11,7 @@
 #include <map>
 #include <string_view>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -64,4 +64,4 @@ std::vector<std::string> case_lines(const CaseFile& file) {
     return lines;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// What decides the motion of a case's bodies, one line per value in the order of the file:
 /// "[contact] friction = 0.3", and for a value that names a file a line with the hash of what the
@@ -14,4 +14,4 @@ namespace dem {
 /// threads, the skin and the outputs are left out.
 std::vector<std::string> case_lines(const CaseFile& file);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -155,4 +155,4 @@ std::string describe_keys() {
     return out.str();
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

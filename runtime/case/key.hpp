@@ -12,7 +12,7 @@
 
 /// What a case file may say. Every key is declared once, in case_keys.cpp: reading, range checks,
 /// suggestions, `demrun --keys` and the tables of docs/case-file.md all come from there.
-namespace dem {
+namespace dem::runtime {
 
 enum class ValueType : std::uint8_t {
     number,       ///< one quantity
@@ -76,4 +76,4 @@ std::string range_text(const Range& range);
 /// Every section and key with unit, default, range and meaning, as Markdown: `demrun --keys`.
 std::string describe_keys();
 
-}  // namespace dem
+}  // namespace dem::runtime

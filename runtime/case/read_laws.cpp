@@ -8,7 +8,7 @@
 #include <cmath>
 #include <map>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -216,4 +216,4 @@ void read_laws(const CaseFile& file, Scene& scene) {
     check_meaning(base, all);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

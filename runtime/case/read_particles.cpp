@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -163,4 +163,4 @@ void ParticleGroupReader::read(const Values& values, Scene& scene) {
     scene.insertions.push_back(std::move(group));
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

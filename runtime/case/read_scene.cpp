@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <sstream>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -111,4 +111,4 @@ Scene read_scene(const CaseFile& file) {
     return scene;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

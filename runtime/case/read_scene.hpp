@@ -4,7 +4,7 @@
 #include "runtime/case/case_file.hpp"
 #include "runtime/scene.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// Makes the scene a case file describes: every section and key known, every value in range, every
 /// material, template and table there, every pair of materials that can meet with its law, every
@@ -12,4 +12,4 @@ namespace dem {
 /// Throws Error with file and line.
 Scene read_scene(const CaseFile& file);
 
-}  // namespace dem
+}  // namespace dem::runtime

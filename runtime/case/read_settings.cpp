@@ -4,7 +4,7 @@
 #include "common/text.hpp"
 #include "runtime/case/scene_sections.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 RunSettings read_run(const Values& values) {
     RunSettings run;
@@ -88,4 +88,4 @@ MeasureSettings read_measure(const Values& values) {
     return measure;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

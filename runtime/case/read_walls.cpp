@@ -6,7 +6,7 @@
 #include <array>
 #include <string_view>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -157,4 +157,4 @@ void read_wall(const Values& values, Scene& scene) {
     }
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

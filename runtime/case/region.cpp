@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -106,4 +106,4 @@ void check_region(const InsertionGroup& group, const std::vector<Wall>& walls,
     }
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 double volume(const Region& region);  ///< [m^3]
 Aabb bounds(const Region& region);    ///< [m]
@@ -20,4 +20,4 @@ double support(const Region& region, const Vec3& n);
 void check_region(const InsertionGroup& group, const std::vector<Wall>& walls,
                   const std::optional<Aabb>& domain);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -67,4 +67,4 @@ RunCost run_cost(const Scene& scene, double from, double dt) {
     return cost;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

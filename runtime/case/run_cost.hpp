@@ -3,7 +3,7 @@
 
 #include "runtime/scene.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// What the rest of a run probably costs on one core of 2.6 to 3 GHz [s]; good enough to tell
 /// minutes from days.
@@ -19,4 +19,4 @@ RunCost run_cost(const Scene& scene, double from, double dt);
 /// groups.
 double last_insertion(const InsertionGroup& group);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -14,7 +14,7 @@
 
 /// The parts of read_scene, one per sort of section; each adds to the scene what its section says.
 /// Order: run, materials, particles, walls, laws, output, measures.
-namespace dem {
+namespace dem::runtime {
 
 RunSettings read_run(const Values& values);
 Material read_material(const Values& values);
@@ -53,4 +53,4 @@ std::uint32_t material_index(const Scene& scene, const std::string& name, const 
 /// "vessel" of "wall.vessel".
 std::string own_name(const std::string& section);
 
-}  // namespace dem
+}  // namespace dem::runtime

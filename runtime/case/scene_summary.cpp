@@ -13,7 +13,7 @@
 #include <iomanip>
 #include <sstream>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -167,4 +167,4 @@ std::string check_scene(const Scene& scene, std::optional<double> resumed_at) {
     return out.str();
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

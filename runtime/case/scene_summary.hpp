@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Checks what reading cannot: the time step against the critical one, and that every region holds
 /// what goes in at once (by doing it). Throws Error. Returns the scene in a few lines for a person:
@@ -14,4 +14,4 @@ namespace dem {
 /// take. `resumed_at`: the time of the checkpoint from which the run goes on [s].
 std::string check_scene(const Scene& scene, std::optional<double> resumed_at = std::nullopt);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -9,7 +9,7 @@
 
 #include <limits>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -63,4 +63,4 @@ std::vector<std::uint32_t> ShapeLibrary::take(std::span<const std::size_t> indic
     return places;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -12,7 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Shapes that the bodies of a case may take: those of a template file, or one sphere. Only what is
 /// taken is made and put into the scene.
@@ -47,4 +47,4 @@ class ShapeLibrary {
     std::unordered_map<std::string, std::size_t> by_name_;  ///< filled by the first find()
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -95,4 +95,4 @@ ParticleTemplate sphere_template(double radius) {
     return t;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -293,4 +293,4 @@ Region Values::region(std::string_view key) const {
     }
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Numbers with units: a unit stands for all numbers since the one before it, so that
 /// "0 0 100 mm 20 cm" is two quantities of a vector and a number. Either every number has a unit or
@@ -72,4 +72,4 @@ class Values {
     const SectionKind& kind_;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

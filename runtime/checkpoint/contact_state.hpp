@@ -7,7 +7,7 @@
 /// The contacts of neighbor lists in a checkpoint: of every list the pairs that touch, with what
 /// they remember and what they did in the last step. A list is known by the name of its row.
 /// Candidates that do not touch and caches change no bit and stay behind.
-namespace dem {
+namespace dem::runtime {
 
 template <>
 inline constexpr bool is_plain<PairResult> = true;
@@ -76,4 +76,4 @@ inline NeighborLists load_contacts(std::uint32_t particles, std::size_t walls,
     return lists;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

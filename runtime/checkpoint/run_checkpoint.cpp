@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -90,4 +90,4 @@ OutputProgress load_checkpoint(const std::filesystem::path& path, Simulation& si
     return outputs;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Writes all that a run needs to go on as if it had never stopped. Throws Error.
 void save_checkpoint(const std::filesystem::path& path, const Simulation& simulation,
@@ -19,4 +19,4 @@ void save_checkpoint(const std::filesystem::path& path, const Simulation& simula
 OutputProgress load_checkpoint(const std::filesystem::path& path, Simulation& simulation,
                                AtRest& at_rest);
 
-}  // namespace dem
+}  // namespace dem::runtime

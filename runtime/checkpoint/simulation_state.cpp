@@ -5,7 +5,7 @@
 #include "runtime/checkpoint/contact_state.hpp"
 #include "runtime/simulation.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -77,4 +77,4 @@ void Simulation::load(StateReader& reader) {
     lists_ = load_contacts(particles_.size(), scene_.walls.size(), reader);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -15,7 +15,7 @@
 
 /// What is written into a checkpoint and read back. A class lists its state once, as calls of
 /// `visit(name, member)`; with a StateWriter they save it, with a StateReader they restore it.
-namespace dem {
+namespace dem::runtime {
 
 /// Whether the bytes of a value are all there is to it, none of them padding: equal runs write
 /// equal files (tests/cli/equal_files_test.cpp sees padding, the compiler does not tell). Eigen's
@@ -117,4 +117,4 @@ class StateReader {
     std::string where_;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

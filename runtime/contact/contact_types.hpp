@@ -15,7 +15,7 @@
 /// shape a; a wall is always j. All vectors are in the world frame; points are relative to the
 /// center of mass of i. The host owns what a pair remembers, calls in any order on any thread or
 /// process, and gets the same bits.
-namespace dem {
+namespace dem::runtime {
 
 /// Force law of one pair of materials (law/contact_law.hpp).
 struct ContactLaw;
@@ -119,4 +119,4 @@ PairContact apart(const Call<History, MissCache>& call, double gap,
     return {};
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

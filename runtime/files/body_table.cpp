@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -188,4 +188,4 @@ void write_body_table(const std::filesystem::path& path, std::span<const BodyRow
     file.commit();
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -12,7 +12,7 @@
 /// Tables of bodies as comma-separated text (docs/output-files.md): what `insert = file` reads and
 /// final.csv holds. Columns, SI, world frame:
 ///     id, template, group, x, y, z, qw, qx, qy, qz, vx, vy, vz, wx, wy, wz
-namespace dem {
+namespace dem::runtime {
 
 struct BodyRow {
     std::uint64_t id = 0;
@@ -38,4 +38,4 @@ std::vector<BodyRow> parse_body_table(std::string_view text, const std::string& 
 /// Writes all columns, whole or not at all; every number reads back as the same double.
 void write_body_table(const std::filesystem::path& path, std::span<const BodyRow> bodies);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -17,7 +17,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -92,4 +92,4 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     return checkpoint;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

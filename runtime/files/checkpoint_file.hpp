@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-namespace dem {
+namespace dem::runtime {
 
 /// The state of a run as named arrays. What they mean is the business of the runtime.
 using Checkpoint = std::map<std::string, PlainValues>;
@@ -20,4 +20,4 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
 /// a single byte or of another layout.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
-}  // namespace dem
+}  // namespace dem::runtime

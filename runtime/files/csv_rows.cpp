@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -111,4 +111,4 @@ std::string csv_field(std::string_view text) {
     return field + '"';
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

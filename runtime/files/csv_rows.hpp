@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Splits comma-separated text into rows of fields (RFC 4180): quoted fields may hold commas, line
 /// ends and doubled quotes; blanks around unquoted fields, blank lines, a byte order mark and both
@@ -38,4 +38,4 @@ class CsvRows {
 /// A field as it is written: quoted where it must be.
 std::string csv_field(std::string_view text);
 
-}  // namespace dem
+}  // namespace dem::runtime

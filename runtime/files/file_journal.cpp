@@ -16,7 +16,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -178,4 +178,4 @@ void FileJournal::remove() {
     if (error) throw Error(path_.string(), "cannot remove: " + error.message());
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -11,7 +11,7 @@
 
 /// The journal of a file (journaled_file.hpp): what its additions change of what was there before,
 /// written down before it is changed.
-namespace dem {
+namespace dem::runtime {
 
 inline constexpr std::uint64_t page_bytes = 512;
 using Page = std::array<std::byte, page_bytes>;
@@ -90,4 +90,4 @@ class FileJournal {
     bool is_synced_ = false;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <numeric>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -284,4 +284,4 @@ void FrameWriter::secure() {
     if (surfaces_) surfaces_->secure();
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

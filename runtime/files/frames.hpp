@@ -15,7 +15,7 @@
 
 /// The film of a run: frames.h5 with every frame's state and frames.xdmf that lets ParaView play it
 /// (docs/output-files.md).
-namespace dem {
+namespace dem::runtime {
 
 class Hdf5File;
 
@@ -78,4 +78,4 @@ class FrameWriter {
     std::unique_ptr<SurfaceWriter> surfaces_;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -10,7 +10,7 @@
 #include <memory>
 #include <span>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -121,4 +121,4 @@ herr_t use_journaled_file(hid_t access, JournaledFile& file) {
     return H5Pset_driver(access, driver(), &settings);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

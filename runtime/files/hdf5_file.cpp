@@ -9,7 +9,7 @@
 #include <array>
 #include <utility>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -178,4 +178,4 @@ void Hdf5File::describe(const std::string& object, const std::string& name,
     write_attribute(object, name, &pointer, {type, type});
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

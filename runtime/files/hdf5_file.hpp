@@ -12,7 +12,7 @@
 
 #include <hdf5.h>
 
-namespace dem {
+namespace dem::runtime {
 
 /// An HDF5 file open for writing. What is written becomes a part of the file with `close`, as a
 /// whole or not at all, and a disk that fills up leaves the file as it was (journaled_file.hpp).
@@ -72,4 +72,4 @@ class Hdf5File {
     hid_t file_ = H5I_INVALID_HID;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace dem {
+namespace dem::runtime {
 
 std::string hdf5_reason() {
     std::string text;
@@ -36,4 +36,4 @@ void silence_hdf5() {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

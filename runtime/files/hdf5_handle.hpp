@@ -5,7 +5,7 @@
 
 #include <hdf5.h>
 
-namespace dem {
+namespace dem::runtime {
 
 /// An open identifier of HDF5, closed by the function that belongs to its kind.
 class Hdf5Handle {
@@ -32,4 +32,4 @@ std::string hdf5_reason();
 /// Errors are thrown as ours; the library would print its whole stack.
 void silence_hdf5();
 
-}  // namespace dem
+}  // namespace dem::runtime

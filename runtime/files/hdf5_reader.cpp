@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -109,4 +109,4 @@ PlainValues Hdf5Reader::plain(const std::string& name) const {
     return values;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

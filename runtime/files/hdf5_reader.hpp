@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// An HDF5 file that this project wrote, open for reading. Every member throws Error with the
 /// file's name and the reason.
@@ -42,4 +42,4 @@ class Hdf5Reader {
     hid_t file_;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

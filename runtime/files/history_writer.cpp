@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -111,4 +111,4 @@ void HistoryWriter::fail() const {
     throw Error(path_.string(), "cannot write: " + std::generic_category().message(error));
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-namespace dem {
+namespace dem::runtime {
 
 /// A table of numbers that grows by a row at a time (history.csv). Every row reaches the system as
 /// soon as it is written: a run that is killed keeps all of them, and others may read along.
@@ -45,4 +45,4 @@ class HistoryWriter {
     std::uintmax_t end_ = 0;  ///< of the last complete row [bytes]
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -24,7 +24,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -339,4 +339,4 @@ void JournaledFile::recover() {
     journal_.remove();
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -11,7 +11,7 @@
 #include <set>
 #include <span>
 
-namespace dem {
+namespace dem::runtime {
 
 /// A file that grows by additions, each of which is in it as a whole or not at all, whatever ends
 /// the process or the machine in between.
@@ -88,4 +88,4 @@ class JournaledFile {
     double affordable_at_ = 0.0;  ///< when `secure` may be called again [s]
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Values of one type as they lie in memory.
 struct PlainValues {
@@ -14,4 +14,4 @@ struct PlainValues {
     std::vector<std::byte> bytes;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

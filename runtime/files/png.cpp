@@ -5,7 +5,7 @@
 
 #include <zlib.h>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -63,4 +63,4 @@ std::string encode_png(const Image& image) {
     return png;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

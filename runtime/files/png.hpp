@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// 8-bit RGB picture, row by row from the top left.
 struct Image {
@@ -16,4 +16,4 @@ struct Image {
 /// The bytes of a PNG file (zlib-compressed).
 std::string encode_png(const Image& image);
 
-}  // namespace dem
+}  // namespace dem::runtime

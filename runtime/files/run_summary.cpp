@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -65,4 +65,4 @@ bool tells_of(const std::filesystem::path& path, const RunSummary& summary) {
            says("state_hash", hexadecimal(summary.state_hash));
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

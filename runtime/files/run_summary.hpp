@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// What summary.json says about a finished run; SI.
 struct RunSummary {
@@ -38,4 +38,4 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
 /// Whether summary.json tells of the end, with its reason, and the state that `summary` has.
 bool tells_of(const std::filesystem::path& path, const RunSummary& summary);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -17,7 +17,7 @@
 #include <initializer_list>
 #include <limits>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -193,4 +193,4 @@ void SurfaceWriter::append(const Frame& frame, const std::string& frame_name) {
     index_.append(entry);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

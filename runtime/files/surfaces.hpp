@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 struct Frame;
 
@@ -48,4 +48,4 @@ class SurfaceWriter {
     XdmfTable triangles_, triangle_id_;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -9,7 +9,7 @@
 #include <span>
 #include <string_view>
 
-namespace dem {
+namespace dem::runtime {
 
 /// The hash of tables one after another, by which those that were damaged are found when a run is
 /// resumed.
@@ -28,4 +28,4 @@ class TableHash {
     StateHash hash_;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Calls `take_up`, which goes on with the file of an earlier run. Whatever is wrong with that
 /// becomes an Error that names the way out. `what` the file should hold: "frames".
@@ -30,4 +30,4 @@ void take_up_or_say_how(const std::filesystem::path& path, const std::string& wh
     }
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

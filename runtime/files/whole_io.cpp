@@ -6,7 +6,7 @@
 
 #include <unistd.h>
 
-namespace dem {
+namespace dem::runtime {
 
 int write_whole(int descriptor, std::uint64_t offset, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
@@ -34,4 +34,4 @@ int read_whole(int descriptor, std::uint64_t offset, std::span<std::byte> bytes)
     return 0;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

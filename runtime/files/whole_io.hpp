@@ -6,7 +6,7 @@
 #include <span>
 
 /// Reading and writing at a place of an open file, however many calls of the system that takes.
-namespace dem {
+namespace dem::runtime {
 
 /// Writes all bytes. Returns 0 or the number of the error.
 int write_whole(int descriptor, std::uint64_t offset, std::span<const std::byte> bytes);
@@ -15,4 +15,4 @@ int write_whole(int descriptor, std::uint64_t offset, std::span<const std::byte>
 /// error.
 int read_whole(int descriptor, std::uint64_t offset, std::span<std::byte> bytes);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -8,7 +8,7 @@
 
 #include <system_error>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -88,4 +88,4 @@ void XdmfSeries::write() {
     last_written_ = Progress::steady_seconds();
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// A table in an HDF5 file beside the index, as XDMF names it.
 struct XdmfTable {
@@ -65,4 +65,4 @@ class XdmfSeries {
     double last_written_;  ///< [s]
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

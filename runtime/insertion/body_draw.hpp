@@ -4,7 +4,7 @@
 #include "common/random.hpp"
 #include "runtime/scene.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// The random part of body k of a group. Its stream depends on the seed, the group and k alone.
 class BodyDraw {
@@ -32,4 +32,4 @@ class BodyDraw {
     BodyPlacement body_;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -114,4 +114,4 @@ std::vector<BodyPlacement> fill_placements(const Scene& scene, std::uint32_t gro
     return placed;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

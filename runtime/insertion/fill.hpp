@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Places `insert = fill`: one body after the other as low (against gravity) as a search from a few
 /// random places brings it, without an overlap. Denser than random places: 0.5 for spheres.
@@ -15,4 +15,4 @@ namespace dem {
 std::vector<BodyPlacement> fill_placements(const Scene& scene, std::uint32_t group,
                                            Occupancy& occupancy);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -15,7 +15,7 @@
 #include <limits>
 #include <string>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -181,4 +181,4 @@ void Inserter::insert_group(const Scene& scene, std::uint32_t g, Particles& part
     progress.placed += placed.size();
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

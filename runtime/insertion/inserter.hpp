@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Brings the bodies of Scene::insertions into the simulation when their time has come, never with
 /// an overlap at the start. What it does depends on the scene, the state of the bodies and the time
@@ -53,4 +53,4 @@ class Inserter {
     std::vector<Progress> groups_;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -7,7 +7,7 @@
 
 #include <sstream>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -108,4 +108,4 @@ std::vector<BodyPlacement> lattice_placements(const Scene& scene, std::uint32_t 
     return placed;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

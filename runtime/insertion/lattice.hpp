@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Places `insert = lattice` in the cells of a regular grid: cells as large as the largest body of
 /// the group turned any way, or as its extents when the orientation is given, so that neighbors
@@ -18,4 +18,4 @@ namespace dem {
 std::vector<BodyPlacement> lattice_placements(const Scene& scene, std::uint32_t group,
                                               const Occupancy& occupancy);
 
-}  // namespace dem
+}  // namespace dem::runtime

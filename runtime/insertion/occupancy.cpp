@@ -4,7 +4,7 @@
 #include "runtime/contact/pairs/touch.hpp"
 #include "runtime/walls/wall_distance.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -66,4 +66,4 @@ const Wall* Occupancy::overlapped_wall(const BodyPlacement& body) const {
     return nullptr;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Bodies and walls at one moment, and whether there is room for one more body. The answers are
 /// those of the contact kernels; bounding spheres only save asking them.
@@ -49,4 +49,4 @@ class Occupancy {
     std::uint32_t next_id_;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

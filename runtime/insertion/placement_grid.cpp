@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::runtime {
 
 std::size_t PlacementGrid::Level::bucket(double i, double j, double k) const {
     // Cell indices are whole numbers held as doubles; large odd factors spread them over the bits.
@@ -44,4 +44,4 @@ void PlacementGrid::add(const Vec3& center, double radius) {
     ++count_;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

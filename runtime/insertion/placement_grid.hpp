@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Spheres that are added one by one, and the question which of them a new one may touch. One
 /// hashed grid per power of two of the radius, so that grains beside boulders stay quick; no bounds
@@ -79,4 +79,4 @@ class PlacementGrid {
     std::uint32_t count_ = 0;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

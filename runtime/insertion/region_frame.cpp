@@ -3,7 +3,7 @@
 
 #include "runtime/contact/pairs/touch.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 RegionFrame::RegionFrame(const Region& region) {
     if (const auto* box = std::get_if<BoxRegion>(&region)) {
@@ -65,4 +65,4 @@ std::optional<Vec3> RegionFrame::sample(Random& random, const ParticleTemplate& 
     return body.position;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

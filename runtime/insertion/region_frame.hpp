@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace dem {
+namespace dem::runtime {
 
 /// A region as insertion sees it: a box along three orthogonal axes, cut by a round side when it is
 /// a cylinder (whose axis is the third). A body belongs inside with its whole volume.
@@ -43,4 +43,4 @@ class RegionFrame {
     double radius_ = 0.0;  ///< of the round side [m]; 0: a box
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -5,7 +5,7 @@
 #include "runtime/integrator/rigid_body.hpp"
 #include "runtime/loop_grain.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -71,4 +71,4 @@ void correct(Particles& particles, std::span<const BodyKind> kinds, double dt) {
     });
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

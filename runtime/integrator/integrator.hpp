@@ -9,7 +9,7 @@
 /// Velocity Verlet [SR] Eqs. 20-21 for all bodies (docs/time-integration.md). One step of the time
 /// loop is: kick by dt/2, drift, predict, forces, correct. A body of zero inverse inertia keeps its
 /// velocity and does not turn.
-namespace dem {
+namespace dem::runtime {
 
 /// v += h F/m, L += h T with the stored force and torque.
 void kick(Particles& particles, std::span<const BodyKind> kinds, double h);
@@ -28,4 +28,4 @@ void predict(Particles& particles, std::span<const BodyKind> kinds, double dt);
 /// the angular velocities.
 void correct(Particles& particles, std::span<const BodyKind> kinds, double dt);
 
-}  // namespace dem
+}  // namespace dem::runtime

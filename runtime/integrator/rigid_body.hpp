@@ -8,7 +8,7 @@
 
 /// Motion of one rigid body, pure functions (docs/time-integration.md). The angular momentum L is
 /// carried in the world frame: without torque it does not change by a bit.
-namespace dem {
+namespace dem::runtime {
 
 /// Unit quaternion of the rotation by the vector `turn` [rad].
 inline Quat rotation(const Vec3& turn) {
@@ -90,4 +90,4 @@ inline double rotational_energy(const Vec3& L, const Vec3& omega) {
     return 0.5 * L.dot(omega);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

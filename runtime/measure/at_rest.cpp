@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 /// Kinetic energy of a resting body, in m g d.
@@ -90,4 +90,4 @@ void AtRest::look(const Simulation& simulation) {
     was_reached_ = !has_rocking_ || time >= in_place_since_ + rocking_time * hold;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Decides when everything has come to rest: nothing is left to insert, every
 /// wall that is to move has begun, and every body
@@ -56,4 +56,4 @@ class AtRest {
     bool has_rocking_ = false;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

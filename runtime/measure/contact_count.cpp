@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::runtime {
 
 std::vector<std::uint32_t> coordination_numbers(const Simulation& simulation) {
     const NeighborLists& lists = simulation.lists();
@@ -22,4 +22,4 @@ std::uint64_t contact_count(const Simulation& simulation) {
         std::count(touching.begin(), touching.end(), std::uint8_t{1}));
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

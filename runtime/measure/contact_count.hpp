@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Contacts of every particle, with particles and walls: its coordination number.
 std::vector<std::uint32_t> coordination_numbers(const Simulation& simulation);
@@ -14,4 +14,4 @@ std::vector<std::uint32_t> coordination_numbers(const Simulation& simulation);
 /// Pairs that touch, walls included.
 std::uint64_t contact_count(const Simulation& simulation);
 
-}  // namespace dem
+}  // namespace dem::runtime

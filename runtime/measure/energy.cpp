@@ -3,7 +3,7 @@
 
 #include "runtime/simulation.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -42,4 +42,4 @@ Energies energies(const Simulation& simulation) {
     return e;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

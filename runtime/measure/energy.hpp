@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace dem {
+namespace dem::runtime {
 
 class Simulation;
 
@@ -35,4 +35,4 @@ Energies energies(const Simulation& simulation);
 /// Kinetic and potential energy of body i [J].
 double mechanical_energy(const Particles& particles, const Scene& scene, std::uint32_t i);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <functional>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -81,4 +81,4 @@ FillHeight fill_height(const Particles& particles, const Scene& scene) {
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -4,7 +4,7 @@
 #include "runtime/measure/vessel.hpp"
 #include "runtime/particles.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// How high a bed reaches, three ways (docs/time-loop.md), along `up` from the vessel's floor, or
 /// from the world's origin where there is no vessel [m].
@@ -19,4 +19,4 @@ struct FillHeight {
 /// count as height 0. Bodies are taken as their display meshes, spheres exactly.
 FillHeight fill_height(const Particles& particles, const Scene& scene);
 
-}  // namespace dem
+}  // namespace dem::runtime

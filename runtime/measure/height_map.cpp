@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 HeightMap::HeightMap(double radius, double spacing)
     : radius_(radius),
@@ -72,4 +72,4 @@ double HeightMap::area() const {
     return static_cast<double>(lines) * spacing_ * spacing_;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// A disc seen from above: on a square grid of vertical lines, the highest point that each meets.
 /// Coordinates are right-handed with the disc's center in the origin and z upward [m].
@@ -34,4 +34,4 @@ class HeightMap {
     std::vector<double> height_;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -9,7 +9,7 @@
 
 #include <initializer_list>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::vector<double> measure_values(const Simulation& simulation, const MeasureSe
     return {};
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

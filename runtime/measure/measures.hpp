@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Names of the columns that the measures of a scene fill, in the order of the case file:
 /// NAME_highest, NAME_top_ten, NAME_surface for a fill height; NAME_coordination for contacts;
@@ -21,4 +21,4 @@ std::vector<std::string> measure_columns(const MeasureSettings& measure);
 /// What they hold now.
 std::vector<double> measure_values(const Simulation& simulation, const MeasureSettings& measure);
 
-}  // namespace dem
+}  // namespace dem::runtime

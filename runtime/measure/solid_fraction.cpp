@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 constexpr int point_count = 40'000;
@@ -107,4 +107,4 @@ SolidFraction solid_fraction(const Particles& particles, const Scene& scene, con
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

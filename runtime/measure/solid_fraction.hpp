@@ -4,7 +4,7 @@
 #include "runtime/measure/vessel.hpp"
 #include "runtime/particles.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// The part of a layer of a vessel that particles fill.
 struct SolidFraction {
@@ -27,4 +27,4 @@ SolidFraction solid_fraction(const Particles& particles, const Scene& scene, con
 /// Mean of the particles' d_eq [m].
 double mean_diameter(const Particles& particles, const Scene& scene);
 
-}  // namespace dem
+}  // namespace dem::runtime

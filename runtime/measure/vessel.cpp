@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::optional<Vessel> find_vessel(const Scene& scene) {
     return upright_box(scene, up);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace dem {
+namespace dem::runtime {
 
 /// The container that the walls of a scene form: an upright cylinder or box on a floor, at time 0.
 struct Vessel {
@@ -26,4 +26,4 @@ struct Vessel {
 /// without one it is the end of the cylinder. With several upright cylinders the first one counts.
 std::optional<Vessel> find_vessel(const Scene& scene);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Everything that can touch, read only: what a contact kernel is given is gathered from here.
 struct Bodies {
@@ -40,4 +40,4 @@ struct Bodies {
     }
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

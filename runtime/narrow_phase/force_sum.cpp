@@ -4,7 +4,7 @@
 #include "common/threads/thread_team.hpp"
 #include "runtime/loop_grain.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 void sum_forces(Particles& particles, NeighborLists& lists, const Scene& scene,
                 EnergyLedger& ledger) {
@@ -36,4 +36,4 @@ void sum_forces(Particles& particles, NeighborLists& lists, const Scene& scene,
     });
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

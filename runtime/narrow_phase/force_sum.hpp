@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// What each particle has lost and been given since it was inserted, a pair's share booked on its
 /// first particle, so that sums do not depend on threads [J].
@@ -24,4 +24,4 @@ struct EnergyLedger {
 void sum_forces(Particles& particles, NeighborLists& lists, const Scene& scene,
                 EnergyLedger& ledger);
 
-}  // namespace dem
+}  // namespace dem::runtime

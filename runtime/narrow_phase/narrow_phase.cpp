@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -245,4 +245,4 @@ LargestOverlap compute_contacts(NeighborLists& lists, const Bodies& bodies, doub
     return first.largest;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// The pair that overlaps most, measured by the smaller radius (of the sphere of equal volume) of
 /// its two bodies.
@@ -38,4 +38,4 @@ NarrowPhaseScratch make_scratch(const Scene& scene, std::size_t threads);
 LargestOverlap compute_contacts(NeighborLists& lists, const Bodies& bodies, double dt,
                                 NarrowPhaseScratch& scratch);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -12,7 +12,7 @@
 #include <atomic>
 #include <utility>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -205,4 +205,4 @@ void index_contacts(NeighborLists& lists, std::uint32_t particles) {
     lists.touching_entries.reset(lists.adjacency);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// What one pair does in this step: what the sum over a particle's contacts needs, no more.
 struct PairResult {
@@ -106,4 +106,4 @@ void rebuild(NeighborLists& lists, const Bodies& bodies, const BodyAabbs& aabbs,
 /// Makes the adjacency of lists that were filled by hand, one after the other from the first on.
 void index_contacts(NeighborLists& lists, std::uint32_t particles);
 
-}  // namespace dem
+}  // namespace dem::runtime

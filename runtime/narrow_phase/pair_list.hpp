@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Candidate pairs of one row of the table of pairs: particle i and particle or wall j. What a pair
 /// keeps between steps is carried from list to list; only touching pairs have a history.
@@ -89,4 +89,4 @@ void carry_over(const List& old, std::span<const std::uint8_t> touching, List& l
     }
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

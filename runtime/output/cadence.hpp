@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace dem {
+namespace dem::runtime {
 
 /// When something that happens every so many seconds is due: at the first step at or after each
 /// multiple of the interval, counted in whole numbers so that nothing drifts.
@@ -27,4 +27,4 @@ class Cadence {
     double next_ = 0.0;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

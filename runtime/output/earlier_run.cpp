@@ -11,7 +11,7 @@
 #include <system_error>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -71,4 +71,4 @@ void remove_remains(const fs::path& folder) {
     for (const fs::path& path : remains) fs::remove(path, ignored);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

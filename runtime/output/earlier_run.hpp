@@ -5,7 +5,7 @@
 #include <string>
 
 /// What earlier runs have left in the folder of a new one.
-namespace dem {
+namespace dem::runtime {
 
 /// What stands in the way of a run that begins anew: "" or a sentence that says what is there and
 /// what may be done.
@@ -21,4 +21,4 @@ void mend_frames(const std::filesystem::path& folder);
 /// Removes what killed runs had begun to write beside their files (*.part-*).
 void remove_remains(const std::filesystem::path& folder);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -89,4 +89,4 @@ FolderLock::~FolderLock() {
     close(descriptor_);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Keeps other runs out of a folder for as long as it lives, so that two of them cannot mix their
 /// files. The system holds the lock for the process, however that ends: the file `.demrun.lock`
@@ -23,4 +23,4 @@ class FolderLock {
     int descriptor_ = -1;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

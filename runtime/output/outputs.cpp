@@ -20,7 +20,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -312,4 +312,4 @@ void Outputs::write_end(const Simulation& simulation, const RunResult& result) c
     write_summary(directory_ / "summary.json", summary);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

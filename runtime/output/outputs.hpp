@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// How far a run's outputs are: what a resumed run keeps of them. The state of a checkpoint itself
 /// has not been sampled: the run that goes on does that, if it is due then.
@@ -81,4 +81,4 @@ class Outputs {
     double output_time_ = 0.0;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

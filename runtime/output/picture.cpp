@@ -13,7 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -224,4 +224,4 @@ Image render_picture(std::span<const PictureBody> bodies, std::span<const Wall> 
     return canvas.resolve(bodies);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

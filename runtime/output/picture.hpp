@@ -12,7 +12,7 @@
 /// A picture of the particles without any other program: their display meshes, orthographic, lit
 /// from the viewer's left shoulder, outlined where one body ends and another begins. Walls are
 /// drawn as thin lines.
-namespace dem {
+namespace dem::runtime {
 
 struct PictureBody {
     const DisplayMesh* mesh;
@@ -31,4 +31,4 @@ struct PictureView {
 Image render_picture(std::span<const PictureBody> bodies, std::span<const Wall> walls, double time,
                      const PictureView& view);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -119,4 +119,4 @@ Segments wall_lines(std::span<const Wall> walls, double time, const Aabb& bodies
     return lines;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 using Segments = std::vector<std::pair<Vec3, Vec3>>;
 
@@ -17,4 +17,4 @@ using Segments = std::vector<std::pair<Vec3, Vec3>>;
 /// leave, where they come near it.
 Segments wall_lines(std::span<const Wall> walls, double time, const Aabb& bodies);
 
-}  // namespace dem
+}  // namespace dem::runtime

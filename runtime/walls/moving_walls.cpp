@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/walls/moving_walls.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -39,4 +39,4 @@ void move_walls(MovingWalls& moving, std::span<const Wall> walls, const Aabb& do
     }
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Where all walls of a scene are now.
 struct MovingWalls {
@@ -23,4 +23,4 @@ MovingWalls place_walls(std::span<const Wall> walls);
 /// Moves the walls to time t [s].
 void move_walls(MovingWalls& moving, std::span<const Wall> walls, const Aabb& domain, double t);
 
-}  // namespace dem
+}  // namespace dem::runtime

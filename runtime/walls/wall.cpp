@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 WallState wall_state(const Wall& wall, double t) {
     const WallMotion& motion = wall.motion;
@@ -47,4 +47,4 @@ WallState wall_state(const Wall& wall, double t) {
     return state;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

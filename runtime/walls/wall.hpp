@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// A prescribed motion, active for from <= t < until; before it the wall stands, after it the wall
 /// stays where it is. The pose is a closed form of time: no drift, nothing to store for a restart.
@@ -47,4 +47,4 @@ struct WallState {
 /// Where a wall is and how it moves at time t [s].
 WallState wall_state(const Wall& wall, double t);
 
-}  // namespace dem
+}  // namespace dem::runtime

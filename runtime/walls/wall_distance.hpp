@@ -3,7 +3,7 @@
 
 #include "runtime/walls/wall.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// Lower bound of the distance from a point of the world to where the wall acts [m]: a body within
 /// r of the point cannot touch the wall when this is more than r. Exact in front of the wall.
@@ -14,4 +14,4 @@ double wall_distance(const Shape& shape, const WallState& state, const Vec3& poi
 }
 double wall_distance(const WallShape& shape, const WallState& state, const Vec3& point);
 
-}  // namespace dem
+}  // namespace dem::runtime

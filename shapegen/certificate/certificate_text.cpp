@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string_view>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::string certificate_line(const std::string& name, double value, const char* 
     return "    " + std::string(number.data()) + "  " + (found ? found->meaning : name) + "\n";
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

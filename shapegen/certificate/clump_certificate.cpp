@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/certificate/clump_certificate.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 Certificate clump_certificate(const BuiltClump& clump, const MassBalance& masses,
                               std::size_t components, double display_mesh_error) {
@@ -24,4 +24,4 @@ Certificate clump_certificate(const BuiltClump& clump, const MassBalance& masses
             {"display_mesh_error_max", display_mesh_error}};
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

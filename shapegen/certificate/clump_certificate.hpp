@@ -5,7 +5,7 @@
 #include "shapegen/clump/build_clump.hpp"
 #include "shapegen/clump/mass_balance.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// What the judge measured about a clump. In this order, lengths in units of the equivalent
 /// diameter d_eq of the body, volumes in units of its volume:
@@ -26,4 +26,4 @@ namespace dem {
 Certificate clump_certificate(const BuiltClump& clump, const MassBalance& masses,
                               std::size_t components, double display_mesh_error);
 
-}  // namespace dem
+}  // namespace dem::shapegen

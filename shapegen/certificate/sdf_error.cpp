@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -93,4 +93,4 @@ SdfError sdf_error(const Profile& profile, const SdfQuadtree& sdf, double interf
     return error;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -4,7 +4,7 @@
 #include "common/shapes/sr_shape.hpp"
 #include "shapegen/profile/profile.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// |interpolated - exact| of a distance field.
 struct SdfError {
@@ -22,4 +22,4 @@ struct SdfError {
 /// `interface_size`: edge of an interface cell [m].
 SdfError sdf_error(const Profile& profile, const SdfQuadtree& sdf, double interface_size);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -77,4 +77,4 @@ Certificate sr_certificate(const Profile& profile, const ParticleTemplate& shape
     return certificate;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 
 #include <span>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// What cooking knows and the template does not keep.
 struct CookingRecord {
@@ -35,4 +35,4 @@ Certificate sr_certificate(const Profile& profile, const ParticleTemplate& shape
 /// (Richardson); independent of the closed forms [m^3].
 double polygon_volume(const Profile& profile, int n = 512);
 
-}  // namespace dem
+}  // namespace dem::shapegen

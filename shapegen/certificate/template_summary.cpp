@@ -12,7 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -206,4 +206,4 @@ std::string template_json(const TemplateFile& file) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 #include <string>
 
 /// What `shapegen inspect` prints about a template file.
-namespace dem {
+namespace dem::shapegen {
 
 /// For people: a few lines per shape; of a library of more than ten shapes the first ones and the
 /// ranges. Ends with a line end.
@@ -15,4 +15,4 @@ std::string template_text(const TemplateFile& file);
 /// For programs: the object described in docs/template-format.md. Ends with a line end.
 std::string template_json(const TemplateFile& file);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -3,7 +3,7 @@
 
 #include "common/math/types.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A sphere of a clump while it is being made, body frame [m].
 struct Ball {
@@ -11,4 +11,4 @@ struct Ball {
     double radius = 0.0;
 };
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -9,7 +9,7 @@
 #include <bit>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Calls visit(first, last, j, k) for each row (j, k) whose voxel centers first <= i < last lie in
 /// the ball. Rows and ends on the border or beyond it are left out.
@@ -54,4 +54,4 @@ void visit_words(int first, int last, const Visit& visit) {
     visit(last_word, high);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

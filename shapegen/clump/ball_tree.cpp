@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 constexpr int diameter_axis = 3;  // after x, y and z
@@ -94,4 +94,4 @@ BallTree::Answer BallTree::nearest(const Vec3& x, std::uint32_t likely) const {
     return best;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

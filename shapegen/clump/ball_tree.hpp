@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Balls in a tree: halved at the median of that of x, y, z and the diameter in which they differ
 /// most, so that small balls do not share a box with a large one. Built once; queries change
@@ -81,4 +81,4 @@ void BallTree::visit_meeting(const Ball& other, double smallest_radius, const Vi
     }
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -15,7 +15,7 @@
 #include <limits>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 template <class... Values>
@@ -162,4 +162,4 @@ BuiltClump ClumpMaker::clump_within(double rms_deviation) {
     return impl_->clump_within(rms_deviation);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

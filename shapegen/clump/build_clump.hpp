@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// How clumps are made. Lengths in equivalent diameters d_eq of the body.
 struct ClumpOptions {
@@ -55,4 +55,4 @@ class ClumpMaker {
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -4,7 +4,7 @@
 #include "shapegen/clump/candidates.hpp"
 #include "shapegen/voxel/voxelize.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 CandidatePool::CandidatePool(const SurfaceQuery& surface, double volume, const VoxelImage& cells,
                              const CandidateOptions& options)
@@ -30,4 +30,4 @@ void CandidatePool::append(const std::vector<Ball>& balls) {
     balls_.insert(balls_.end(), balls.begin(), balls.end());
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// What candidates are made with.
 struct CandidateOptions {
@@ -48,4 +48,4 @@ class CandidatePool {
     std::vector<Ball> balls_;
 };
 
-}  // namespace dem
+}  // namespace dem::shapegen

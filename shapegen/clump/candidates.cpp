@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// No ball inside the solid is larger than the narrow side of the box around it.
@@ -72,4 +72,4 @@ std::vector<Ball> surface_seeded_balls(const SurfaceQuery& surface, std::size_t 
     });
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The largest ball inside the solid that touches its surface at q, `inward` being the unit vector
 /// from there to the center: it shrinks from `largest` [m] until no second point of the surface is
@@ -32,4 +32,4 @@ std::vector<Ball> surface_seeded_balls(const SurfaceQuery& surface, std::size_t 
                                        std::span<const Ball> known, double close,
                                        double min_radius);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -12,7 +12,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 constexpr int edge = 4;  // cells of a brick
@@ -306,4 +306,4 @@ void CellCover::erase(const Ball& ball) {
     take_out(ball, [](std::size_t, int) {});
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

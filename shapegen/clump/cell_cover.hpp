@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Which cells of a solid are covered by how many balls. A cell counts as covered when its center
 /// is; the cells are so many that those cut by a surface average out. Balls may be taken out again.
@@ -73,4 +73,4 @@ class CellCover {
     std::size_t uncovered_count_ = 0;
 };
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -64,4 +64,4 @@ std::size_t component_count(const Clump& clump) {
     return pieces.count();
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,10 +5,10 @@
 
 #include <cstddef>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The number of pieces that the spheres of a clump form: spheres that overlap or touch (to a
 /// billionth of their radii) belong to one.
 std::size_t component_count(const Clump& clump);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdio>
 
-namespace dem {
+namespace dem::shapegen {
 
 std::vector<ConvergenceRow> convergence(ClumpMaker& maker, std::size_t most) {
     std::vector<std::size_t> counts;
@@ -40,4 +40,4 @@ std::string convergence_csv(const std::vector<ConvergenceRow>& rows) {
     return text;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

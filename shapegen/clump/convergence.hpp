@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// What a number of spheres reaches.
 struct ConvergenceRow {
@@ -21,4 +21,4 @@ std::vector<ConvergenceRow> convergence(ClumpMaker& maker, std::size_t most);
 /// One row per clump, a header row; the columns are those of the certificate.
 std::string convergence_csv(const std::vector<ConvergenceRow>& rows);
 
-}  // namespace dem
+}  // namespace dem::shapegen

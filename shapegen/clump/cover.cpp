@@ -8,7 +8,7 @@
 #include <cmath>
 #include <queue>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 struct Bid {
@@ -132,4 +132,4 @@ void CoverSearch::reach(std::span<const Ball> candidates, const CoverGoal& goal,
     }
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

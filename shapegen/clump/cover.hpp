@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// When a cover is good enough: at either of the two.
 struct CoverGoal {
@@ -52,4 +52,4 @@ class CoverSearch {
     std::vector<std::uint32_t> chosen_;
 };
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Points that a ball left uncovered: how large a part of them other balls hold, from a few of the
 /// points or from more.
@@ -129,4 +129,4 @@ void Exchange::find_rivals(const Ball& old, const Gap& gap) {
     });
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Looks for better places for chosen balls, one at a time: each makes room for the candidate near
 /// it that then covers most. Remembers what it has asked in vain; whoever changes the cover between
@@ -51,4 +51,4 @@ class Exchange {
     std::vector<Rival> rivals_;
 };
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -10,7 +10,7 @@
 
 #include <Eigen/Cholesky>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using Vec4 = Eigen::Matrix<double, 4, 1>;
@@ -208,4 +208,4 @@ void fit(const SurfaceQuery& surface, std::span<const SurfaceSample> samples,
     balls = best;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

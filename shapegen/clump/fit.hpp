@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 struct FitOptions {
     double protrusion = 0.0;  ///< how far a ball may reach out of the solid [m]
@@ -24,4 +24,4 @@ struct FitOptions {
 void fit(const SurfaceQuery& surface, std::span<const SurfaceSample> samples,
          const FitOptions& options, std::vector<Ball>& balls);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 constexpr double per_diameter = 300.0;
@@ -133,4 +133,4 @@ ClumpQuality judge(const SurfaceQuery& surface, double volume, std::span<const B
     return quality;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// How well a union of balls stands for a solid; lengths in equivalent diameters d_eq.
 struct ClumpQuality {
@@ -25,4 +25,4 @@ struct ClumpQuality {
 /// spread over the surface. The solid is in its body frame and has the volume `volume` [m^3].
 ClumpQuality judge(const SurfaceQuery& surface, double volume, std::span<const Ball> balls);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -12,7 +12,7 @@
 #include <Eigen/QR>
 #include <glpk.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 constexpr int rows = 10;  // mass, center x y z, moments x y z, products xy yz zx
@@ -244,4 +244,4 @@ MassBalance balance_masses(std::span<const Ball> balls, const MassProperties& bo
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Masses per unit density that spheres get so that together they have the mass of the body, its
 /// center and its inertia.
@@ -30,4 +30,4 @@ struct MassBalance {
 /// tolerance that works.
 MassBalance balance_masses(std::span<const Ball> balls, const MassProperties& body);
 
-}  // namespace dem
+}  // namespace dem::shapegen

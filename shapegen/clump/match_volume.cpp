@@ -8,7 +8,7 @@
 #include <cmath>
 #include <span>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 constexpr double union_cells = 200.0;  // per d_eq: the union has a few millions
@@ -85,4 +85,4 @@ void match_volume(const SurfaceQuery& surface, double d_eq, const FitOptions& op
     balls = all.grown(growth);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

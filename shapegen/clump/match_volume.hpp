@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Grows or shrinks all balls by the same length, at most half a percent of `d_eq` [m], so that
 /// their union has the volume of the solid as nearly as that allows: least squares of a surface
@@ -15,4 +15,4 @@ namespace dem {
 void match_volume(const SurfaceQuery& surface, double d_eq, const FitOptions& options,
                   std::vector<Ball>& balls);
 
-}  // namespace dem
+}  // namespace dem::shapegen

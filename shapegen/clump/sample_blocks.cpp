@@ -13,7 +13,7 @@
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -90,4 +90,4 @@ std::vector<BallTree::Answer> SampleBlocks::nearest(const BallTree& tree,
     return answers;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Surface samples in blocks of neighbors: the balls that may be nearest to one of a block are
 /// looked up once for all of them.
@@ -30,4 +30,4 @@ class SampleBlocks {
     std::vector<Block> blocks_;
 };
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// Barycentric place number k, uniform over the triangle: the additive sequence of the plastic
@@ -39,4 +39,4 @@ std::vector<SurfaceSample> surface_samples(const TriangleMesh& mesh, std::size_t
     return samples;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A point of a surface and its outward unit normal.
 struct SurfaceSample {
@@ -18,4 +18,4 @@ struct SurfaceSample {
 /// same for the same mesh, always.
 std::vector<SurfaceSample> surface_samples(const TriangleMesh& mesh, std::size_t count);
 
-}  // namespace dem
+}  // namespace dem::shapegen

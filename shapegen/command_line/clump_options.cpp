@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -88,4 +88,4 @@ std::optional<ClumpCommand> read_clump_options(const OptionValues& values) {
     return command;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

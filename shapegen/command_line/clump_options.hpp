@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// `--clump ...`, `--clump-spheres ...` or `--clump-error ...`, and what goes with them.
 struct ClumpCommand {
@@ -18,4 +18,4 @@ struct ClumpCommand {
 /// Nothing when no clump is asked for. Throws UsageError for a value out of range.
 std::optional<ClumpCommand> read_clump_options(const OptionValues& values);
 
-}  // namespace dem
+}  // namespace dem::shapegen

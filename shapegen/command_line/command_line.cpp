@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -153,4 +153,4 @@ Command parse_command_line(std::span<const char* const> arguments) {
     return parse_cook(words);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -10,7 +10,7 @@
 #include <string>
 #include <variant>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// `shapegen INPUT ...`
 struct CookCommand {
@@ -49,4 +49,4 @@ using Command =
 /// Throws UsageError with one line that says what was found and what was expected.
 Command parse_command_line(std::span<const char* const> arguments);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,7 +5,7 @@
 #include "common/number.hpp"
 #include "common/text.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -60,4 +60,4 @@ GenerateCommand read_generate_options(const OptionValues& values, const std::str
     return command;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// `shapegen generate sand|woodchips ...`
 struct GenerateCommand {
@@ -30,4 +30,4 @@ std::optional<ConvexRequest> read_convex_options(const OptionValues& values,
 /// `kind`: what was typed after `generate`. The text is left empty. Throws UsageError.
 GenerateCommand read_generate_options(const OptionValues& values, const std::string& kind);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/command_line/mesh_options.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 MeshLoadOptions read_mesh_options(const OptionValues& values) {
     MeshLoadOptions options;
@@ -16,4 +16,4 @@ MeshLoadOptions read_mesh_options(const OptionValues& values) {
     return options;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 
 const Option* CommandOptions::find(std::string_view option) const {
     for (const OptionGroup& group : groups) {
@@ -45,4 +45,4 @@ std::string expected_value(const Option& option) {
     return alternatives(words_of(option.words));
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -12,7 +12,7 @@
 
 /// What a command line of shapegen may say. Every option is declared once, in option_table.cpp:
 /// reading, range checks, suggestions, `--help` and `--man` all come from there.
-namespace dem {
+namespace dem::shapegen {
 
 enum class OptionType : std::uint8_t {
     flag,      ///< given or not
@@ -90,4 +90,4 @@ std::vector<std::string> words_of(std::string_view list);
 /// "a, b or c"
 std::string alternatives(std::span<const std::string> words);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -4,7 +4,7 @@
 #include "shapegen/pipeline/cook.hpp"
 #include "shapegen/profile/shape_parameters.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -295,4 +295,4 @@ const CommandOptions generate_command{"generate", generate_groups};
 const CommandOptions inspect_command{"inspect", inspect_groups};
 const CommandOptions export_command{"export", export_groups};
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -152,4 +152,4 @@ std::string man_page() {
     return out.str();
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

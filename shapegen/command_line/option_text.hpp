@@ -7,7 +7,7 @@
 
 #include <boost/program_options.hpp>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The options of a group for Boost, which parses them and prints them for the help.
 boost::program_options::options_description described(const OptionGroup& group);
@@ -18,4 +18,4 @@ std::string help_text();
 /// The manual page for `man -l -`: `--man`.
 std::string man_page();
 
-}  // namespace dem
+}  // namespace dem::shapegen

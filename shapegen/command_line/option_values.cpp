@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -188,4 +188,4 @@ std::filesystem::path OptionValues::template_output() const {
     return output;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -12,7 +12,7 @@
 
 #include <boost/program_options.hpp>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// What a command line says, read by the options of its command. All throw UsageError with one line
 /// that says what was found and what was expected.
@@ -54,4 +54,4 @@ class OptionValues {
     boost::program_options::variables_map values_;
 };
 
-}  // namespace dem
+}  // namespace dem::shapegen

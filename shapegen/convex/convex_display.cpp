@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -173,4 +173,4 @@ DisplayMesh convex_display_mesh(const ConvexShape& shape, double tolerance) {
     return mesh;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <span>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using Parameters = ShapeParameters;
@@ -282,4 +282,4 @@ ConvexFile read_convex_profile(const std::string& path, const std::optional<Roun
                                 rounding, scale);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

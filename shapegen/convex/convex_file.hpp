@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// What a `.convex` file holds (docs/convex-file.md): a named convex shape, rounded.
 struct ConvexFile {
@@ -37,4 +37,4 @@ ConvexFile read_convex_profile(const std::string& path, const std::optional<Roun
 ConvexFile parse_convex_profile(std::string_view text, const std::string& path,
                                 const std::optional<Rounding>& rounding = {}, double scale = 1.0);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 #include "common/shapes/convex_moments.hpp"
 #include "shapegen/solids/make_convex.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 // By Steiner's formula V(s) = s^3 V + s^2 A r + s M r^2 + 4/3 pi r^3 with the volume V and the area
 // A of the core. M, of its edges, is found from the volume of the body around the core as it is.
@@ -36,4 +36,4 @@ double core_scale(const ConvexPolyhedron& core, double rounding, double volume) 
     return s;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

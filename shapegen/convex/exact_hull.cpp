@@ -14,7 +14,7 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/convex_hull_3.h>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -60,4 +60,4 @@ ConvexPolyhedron exact_hull(std::span<const Vec3> points) {
     return polyhedron_of(points, triangles);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Convex hull whose triangles are found by exact signs (CGAL), so that points nearly in one plane,
 /// as those of files in single precision, cannot mislead it. Faces whose vertices lie within 1e-9
@@ -13,4 +13,4 @@ namespace dem {
 /// numbers that are not finite and points that lie in one plane.
 ConvexPolyhedron exact_hull(std::span<const Vec3> points);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -9,7 +9,7 @@
 #include <queue>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -73,4 +73,4 @@ FewerVertices with_fewer_vertices(const ConvexPolyhedron& solid, std::size_t cou
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A convex solid inside another one, the hull of some of its vertices.
 struct FewerVertices {
@@ -19,4 +19,4 @@ struct FewerVertices {
 /// of those before it; a solid that has no more stays as it is.
 FewerVertices with_fewer_vertices(const ConvexPolyhedron& solid, std::size_t count);
 
-}  // namespace dem
+}  // namespace dem::shapegen

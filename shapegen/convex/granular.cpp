@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -175,4 +175,4 @@ Grain make_grain(const GranularOptions& options, std::uint64_t index) {
                                   " is thick enough for it, expected a smaller one");
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

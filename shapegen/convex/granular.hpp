@@ -9,7 +9,7 @@
 #include <optional>
 
 /// Grains of which no two are the same [GC 8.1].
-namespace dem {
+namespace dem::shapegen {
 
 struct GranularOptions {
     enum class Kind { sand, woodchips };
@@ -40,4 +40,4 @@ struct Grain {
 /// where that never ends.
 Grain make_grain(const GranularOptions& options, std::uint64_t index);
 
-}  // namespace dem
+}  // namespace dem::shapegen

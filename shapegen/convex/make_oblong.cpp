@@ -12,7 +12,7 @@
 // Symbols: r radius of the round tablet, h height of its band, c of a cap; the cap is a part of a
 // sphere of radius R = (r^2 + c^2) / 2c that a cone of half-angle alpha about its center cuts out,
 // r = R sin(alpha); l = length - width, by which the round tablet is moved.
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -138,4 +138,4 @@ double facet_error(const OblongTablet& t) {
     return largest;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -3,7 +3,7 @@
 
 #include "shapegen/solids/make_convex.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// An oblong tablet (caplet): a round tablet, its band and its two caps, moved along x. Seen from
 /// above it is a stadium: two half circles joined by straight lines.
@@ -27,4 +27,4 @@ ConvexSolid make_oblong(const OblongTablet& tablet, double rounding);
 /// The largest distance of the smooth tablet's surface from the sharp polyhedron [m], by samples.
 double facet_error(const OblongTablet& tablet);
 
-}  // namespace dem
+}  // namespace dem::shapegen

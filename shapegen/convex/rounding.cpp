@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::shapegen {
 
 double Rounding::radius(double sharp_volume) const {
     return is_share ? value * equivalent_diameter(sharp_volume) : value;
@@ -50,4 +50,4 @@ double default_rounding(const ConvexShape& sharp, double volume) {
     return std::min(Rounding{}.radius(volume), 0.25 * depth);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 #include <string_view>
 
 /// How much of the edges and corners of a convex shape is rounded off, as users say it.
-namespace dem {
+namespace dem::shapegen {
 
 struct Rounding {
     double value = 0.01;
@@ -24,4 +24,4 @@ Rounding parse_rounding(std::string_view text, double unit);
 /// the center to the nearest face. `sharp`: not rounded.
 double default_rounding(const ConvexShape& sharp, double volume);
 
-}  // namespace dem
+}  // namespace dem::shapegen

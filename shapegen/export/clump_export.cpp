@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -182,4 +182,4 @@ void write_clump_file(const std::filesystem::path& path, const ParticleTemplate&
     }
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

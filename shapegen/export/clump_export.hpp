@@ -10,7 +10,7 @@
 
 /// Clumps for other programs. Files are written beside and renamed; throws Error when that fails or
 /// the shape is no clump. `density` [kg/m^3] makes masses of shares.
-namespace dem {
+namespace dem::shapegen {
 
 /// `x,y,z,radius,mass` of each sphere, a header row, in the frame of the input; masses per unit
 /// density in cubes of the unit of length, which add up to the volume of the input.
@@ -26,4 +26,4 @@ const std::vector<std::string>& clump_formats();
 void write_clump_file(const std::filesystem::path& path, const ParticleTemplate& shape,
                       const std::string& format, double density);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -4,7 +4,7 @@
 #include "common/units.hpp"
 #include "formats/number_text.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 std::string InputFrame::unit_name() const {
     for (const char* name : {"m", "mm", "um", "cm", "in"})
@@ -12,4 +12,4 @@ std::string InputFrame::unit_name() const {
     return number_text(unit_) + " m";
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

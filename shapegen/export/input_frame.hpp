@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// From the body frame of a shape to the frame of its input, in a unit of length: what is exported
 /// in it lies on the input where the unit is that of the input.
@@ -29,4 +29,4 @@ class InputFrame {
     double unit_;
 };
 
-}  // namespace dem
+}  // namespace dem::shapegen

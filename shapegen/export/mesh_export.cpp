@@ -8,7 +8,7 @@
 #include <bit>
 #include <cstring>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -165,4 +165,4 @@ void write_nodes_csv(const std::filesystem::path& path, const SurfaceNodes& node
     write_file(path, out);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

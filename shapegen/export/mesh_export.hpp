@@ -11,7 +11,7 @@
 
 /// Files for other programs: surfaces as they are given, nodes in the frame and unit of the input.
 /// Each is written beside and renamed; throws Error when that fails.
-namespace dem {
+namespace dem::shapegen {
 
 /// A surface in any frame and unit, with a number at each vertex where there is something to show.
 struct ColoredMesh {
@@ -39,4 +39,4 @@ void write_obj(const std::filesystem::path& path, std::span<const ColoredMesh> p
 void write_nodes_csv(const std::filesystem::path& path, const SurfaceNodes& nodes,
                      const InputFrame& frame);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstddef>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The number whose bytes, in the order of `order`, begin there.
 template <class Number>
@@ -17,4 +17,4 @@ Number read_as(const std::byte* bytes, std::endian order = std::endian::little) 
     return std::bit_cast<Number>(own);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -17,7 +17,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// The first byte of an answer: what follows.
@@ -127,4 +127,4 @@ std::string in_child_process(const std::function<std::string()>& work, const Chi
     return bytes.substr(1);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

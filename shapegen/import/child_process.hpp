@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 struct ChildLimits {
     unsigned seconds = 0;   ///< of processor time; ten times as many of the clock
@@ -17,4 +17,4 @@ struct ChildLimits {
 /// how the child ended where it gave no answer.
 std::string in_child_process(const std::function<std::string()>& work, const ChildLimits& limits);
 
-}  // namespace dem
+}  // namespace dem::shapegen

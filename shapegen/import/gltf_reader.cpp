@@ -18,7 +18,7 @@
 #include <assimp/LogStream.hpp>
 #include <assimp/scene.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// Triangles as they pass the pipe, then the notes, a line each.
@@ -191,4 +191,4 @@ PolygonSoup read_gltf(const std::filesystem::path& path) {
     return unpacked(in_child_process([&path] { return packed_scene(path); }, limits));
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,11 +5,11 @@
 
 #include <filesystem>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The triangles of a glTF or GLB file, in meters, each mesh as often and where the nodes of the
 /// scene place it. Coordinates pass through single precision. Read by assimp, in a process of its
 /// own. Throws Error without the path.
 PolygonSoup read_gltf(const std::filesystem::path& path);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 std::string size_line(const TriangleMesh& mesh, const MeshLoadOptions& options,
@@ -94,4 +94,4 @@ LoadedMesh load_mesh(const std::filesystem::path& path, const MeshLoadOptions& o
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 struct MeshLoadOptions {
     /// Unit of the file's coordinates: m, mm, um, cm, in. "": meters for glTF, which says so, and
@@ -32,4 +32,4 @@ struct LoadedMesh {
 /// Reads and repairs a mesh. Throws Error that begins with the path.
 LoadedMesh load_mesh(const std::filesystem::path& path, const MeshLoadOptions& options = {});
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -17,7 +17,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using Read = PolygonSoup (*)(std::span<const std::byte>, const std::string&);
@@ -98,4 +98,4 @@ MeshFile read_mesh_file(const std::filesystem::path& path) {
     return file;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

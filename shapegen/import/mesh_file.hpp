@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// What a mesh file holds, in its own coordinates.
 struct MeshFile {
@@ -25,4 +25,4 @@ bool is_mesh_file(const std::filesystem::path& path);
 /// content, no faces, numbers that are not finite.
 MeshFile read_mesh_file(const std::filesystem::path& path);
 
-}  // namespace dem
+}  // namespace dem::shapegen

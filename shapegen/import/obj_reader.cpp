@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// What a statement is to a solid.
@@ -215,4 +215,4 @@ PolygonSoup read_obj(std::span<const std::byte> bytes, const std::string& name) 
     return ObjReader(bytes, name).read();
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

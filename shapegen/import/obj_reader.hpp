@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The polygons of a Wavefront OBJ file. Indices may be absolute or relative, with or without those
 /// of texture and normal; keywords of any case; lines joined by a backslash. Weights w of vertices
@@ -16,4 +16,4 @@ namespace dem {
 /// with a note. Throws Error at NAME:LINE.
 PolygonSoup read_obj(std::span<const std::byte> bytes, const std::string& name);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 class OffReader {
@@ -103,4 +103,4 @@ PolygonSoup read_off(std::span<const std::byte> bytes, const std::string& name) 
     return OffReader(bytes, name).read();
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

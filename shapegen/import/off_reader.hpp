@@ -7,11 +7,11 @@
 #include <span>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The polygons of an OFF file of text: OFF, and with textures, colors or normals (STOFF, COFF,
 /// NOFF and their combinations), which carry nothing for a shape. A line for each vertex and face.
 /// Throws Error at NAME:LINE.
 PolygonSoup read_off(std::span<const std::byte> bytes, const std::string& name);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using Type = PlyHeader::Type;
@@ -158,4 +158,4 @@ PlyHeader PlyHeader::parse(std::string_view text, const std::string& name) {
     return HeaderParser(text, name).parse();
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// What a PLY file says about itself before its data.
 struct PlyHeader {
@@ -46,4 +46,4 @@ struct PlyHeader {
 std::size_t size_of(PlyHeader::Type type);
 bool is_integer(PlyHeader::Type type);
 
-}  // namespace dem
+}  // namespace dem::shapegen

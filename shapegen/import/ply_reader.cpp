@@ -15,7 +15,7 @@
 #include <string_view>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using Element = PlyHeader::Element;
@@ -311,4 +311,4 @@ PolygonSoup read_ply(std::span<const std::byte> bytes, const std::string& name) 
     return BodyReader(header, BinaryValues(bytes, bytes.size() - data.size(), name, order)).read();
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

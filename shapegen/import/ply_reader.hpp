@@ -7,11 +7,11 @@
 #include <span>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The polygons and strips of triangles of a PLY file: text or binary of either byte order,
 /// coordinates and indices of any type, other properties and elements passed over. In text each
 /// element has its line. Throws Error at NAME:LINE or NAME: byte N.
 PolygonSoup read_ply(std::span<const std::byte> bytes, const std::string& name);
 
-}  // namespace dem
+}  // namespace dem::shapegen

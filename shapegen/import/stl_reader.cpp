@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 constexpr std::size_t header_size = 84;    // 80 bytes of anything, the number of triangles
@@ -180,4 +180,4 @@ PolygonSoup read_stl(std::span<const std::byte> bytes, const std::string& name) 
                           "and 50 for each triangle");
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The triangles of an STL file, text or binary, of one solid or several. Binary is what has the
 /// size that its number of triangles asks for, whatever it begins with; bytes after the last
@@ -15,4 +15,4 @@ namespace dem {
 /// shape. Throws Error at NAME:LINE or NAME: byte N.
 PolygonSoup read_stl(std::span<const std::byte> bytes, const std::string& name);
 
-}  // namespace dem
+}  // namespace dem::shapegen

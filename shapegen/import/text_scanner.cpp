@@ -9,7 +9,7 @@
 #include <charconv>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 bool is_blank(char c) {
@@ -129,4 +129,4 @@ std::string_view text_of(std::span<const std::byte> bytes) {
     return text;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// What the lines of a format may hold beside words.
 struct TextStyle {
@@ -64,4 +64,4 @@ bool is_keyword(std::string_view word, std::string_view lower);
 /// The bytes as characters, without the mark that some editors put in front of UTF-8.
 std::string_view text_of(std::span<const std::byte> bytes);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -3,7 +3,7 @@
 
 #include "shapegen/solids/principal_axes.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 struct Vertices {
@@ -97,4 +97,4 @@ double mean_squared_surface_distance(const TriangleMesh& mesh, const Vec3& cente
     return sum / area;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The surface of a solid: closed, triangles counter-clockwise seen from outside. The functions
 /// below rely on it; `shapegen/repair` makes such a mesh from what a file holds.
@@ -35,4 +35,4 @@ MassProperties mass_properties(const TriangleMesh& mesh);
 /// Area-weighted mean of the squared distance from `center` to the surface [m^2], closed form.
 double mean_squared_surface_distance(const TriangleMesh& mesh, const Vec3& center);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -258,4 +258,4 @@ double TriangleMeshTree::tangent_radius(const Vec3& q, const Vec3& inward, doubl
     return ball.radius;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

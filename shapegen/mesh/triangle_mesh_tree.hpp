@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A point on a surface and the triangle it lies on.
 struct SurfacePoint {
@@ -100,4 +100,4 @@ void TriangleMeshTree::visit_above(const Vec3& p, const Visit& visit) const {
     }
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <numeric>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -142,4 +142,4 @@ std::string clump_picture(const ParticleTemplate& shape) {
     return page.finish();
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,11 +5,11 @@
 
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// An SVG picture of a clump beside the body that it stands for, both colored by how far the clump
 /// stands out of the body (red) or falls short of it (blue), seen along the axis of the largest
 /// moment, tilted; below them what the judge measured.
 std::string clump_picture(const ParticleTemplate& shape);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -116,4 +116,4 @@ ColoredMesh body_surface(const ParticleTemplate& shape) {
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The spheres of a clump as triangles, those that lie inside another sphere left out, with the
 /// distance of each vertex from the surface of the body's display mesh [m], positive outside: there
@@ -17,4 +17,4 @@ ColoredMesh clump_surface(const ParticleTemplate& shape, std::size_t most_triang
 /// positive where the clump stands out, negative where it falls short. Body frame.
 ColoredMesh body_surface(const ParticleTemplate& shape);
 
-}  // namespace dem
+}  // namespace dem::shapegen

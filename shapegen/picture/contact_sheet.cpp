@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -94,4 +94,4 @@ std::string contact_sheet(std::span<const ParticleTemplate> shapes) {
     return page.finish();
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 inline constexpr std::size_t most_shapes_of_a_sheet = 25;
 
@@ -14,4 +14,4 @@ inline constexpr std::size_t most_shapes_of_a_sheet = 25;
 /// projection, the body's z axis upwards, each with its name and its size.
 std::string contact_sheet(std::span<const ParticleTemplate> shapes);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -93,4 +93,4 @@ std::string convergence_plot(const std::string& name, const std::vector<Converge
     return page.finish();
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,10 +5,10 @@
 
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// An SVG plot on logarithmic axes: what is not covered, the RMS deviation and the largest error of
 /// a moment, against the number of spheres.
 std::string convergence_plot(const std::string& name, const std::vector<ConvergenceRow>& rows);
 
-}  // namespace dem
+}  // namespace dem::shapegen

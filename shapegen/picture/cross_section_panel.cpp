@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -170,4 +170,4 @@ void draw_cross_section(SvgPage& page, const PanelBox& box, const ParticleTempla
     draw_legend(page, below, shape, sr);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

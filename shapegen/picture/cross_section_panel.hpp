@@ -4,7 +4,7 @@
 #include "common/shapes/particle_template.hpp"
 #include "shapegen/picture/svg_page.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Where a panel lies on the page [px].
 struct PanelBox {
@@ -16,4 +16,4 @@ struct PanelBox {
 void draw_cross_section(SvgPage& page, const PanelBox& box, const ParticleTemplate& shape,
                         const SrShape& sr);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -141,4 +141,4 @@ void draw_curvature(SvgPage& page, const PanelBox& box, const SrShape& sr) {
     Plot(page, box, sr).draw();
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

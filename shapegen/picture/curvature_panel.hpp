@@ -3,10 +3,10 @@
 
 #include "shapegen/picture/cross_section_panel.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The mean curvature against the arc length, bottom to top. The scale follows the bulk of the
 /// surface; what a sharp edge sticks out is cut and labeled.
 void draw_curvature(SvgPage& page, const PanelBox& box, const SrShape& sr);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 
 std::string shape_picture(const ParticleTemplate& shape, const SrShape& sr) {
     SvgPage page(1240.0, 720.0);
@@ -28,4 +28,4 @@ std::string shape_picture(const ParticleTemplate& shape, const SrShape& sr) {
     return page.finish();
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,11 +5,11 @@
 
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// An SVG picture of a surface of revolution: its cross-section with the cells of the distance
 /// field on the left of the axis and the surface nodes (seen from the front) on the right, and
 /// beside it the mean curvature along the profile.
 std::string shape_picture(const ParticleTemplate& shape, const SrShape& sr);
 
-}  // namespace dem
+}  // namespace dem::shapegen

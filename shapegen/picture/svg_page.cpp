@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdio>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -105,4 +105,4 @@ std::string short_number(double value, int digits) {
     return text.data();
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

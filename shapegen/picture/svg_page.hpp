@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Stroke and fill of what is drawn, as SVG writes them.
 struct Style {
@@ -46,4 +46,4 @@ class SvgPage {
 /// A number with at most `digits` significant digits, without trailing zeros.
 std::string short_number(double value, int digits = 4);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -17,7 +17,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -122,4 +122,4 @@ ParticleTemplate cook(const Profile& input, const std::string& name, const CookO
                                                      : cook_sr(profile, std::move(shape), options);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

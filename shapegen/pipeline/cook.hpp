@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 inline constexpr std::uint32_t fewest_nodes = 100;
 inline constexpr std::uint32_t most_nodes = 1'000'000;
@@ -24,4 +24,4 @@ struct CookOptions {
 /// makes. Throws Error when it cannot be represented as asked.
 ParticleTemplate cook(const Profile& profile, const std::string& name, const CookOptions& options);
 
-}  // namespace dem
+}  // namespace dem::shapegen

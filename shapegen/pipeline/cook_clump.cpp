@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -174,4 +174,4 @@ CookedClump cook_clump(const Solid& solid, const ClumpRequest& request) {
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

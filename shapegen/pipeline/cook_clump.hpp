@@ -5,7 +5,7 @@
 #include "shapegen/clump/convergence.hpp"
 #include "shapegen/pipeline/solid.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// What a clump is made for; one of the three.
 struct ClumpGoal {
@@ -33,4 +33,4 @@ struct CookedClump {
 /// as many were asked for. Throws Error where no clump does what was asked.
 CookedClump cook_clump(const Solid& solid, const ClumpRequest& request);
 
-}  // namespace dem
+}  // namespace dem::shapegen

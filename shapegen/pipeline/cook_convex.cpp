@@ -20,7 +20,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -175,4 +175,4 @@ CookedConvex cook_convex(const std::filesystem::path& path, const ConvexRequest&
                               : cook_file(path, request, mesh.scale);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 struct ConvexRequest {
     std::optional<Rounding> rounding;     ///< else the file's own or default_rounding()
@@ -51,4 +51,4 @@ CookedConvex cook_convex(const std::filesystem::path& path, const ConvexRequest&
 /// The template of a solid, without certificate and display mesh.
 ParticleTemplate convex_template(ConvexSolid solid, std::string name);
 
-}  // namespace dem
+}  // namespace dem::shapegen

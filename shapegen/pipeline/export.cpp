@@ -15,7 +15,7 @@
 #include <charconv>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -99,4 +99,4 @@ void export_shape(const ParticleTemplate& shape, const std::filesystem::path& pa
     }
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

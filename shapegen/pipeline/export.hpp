@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The shape of that name or index; "" is the only one. Throws Error.
 const ParticleTemplate& find_shape(const TemplateFile& file, const std::string& where,
@@ -17,4 +17,4 @@ const ParticleTemplate& find_shape(const TemplateFile& file, const std::string& 
 /// when the shape's kind has no such content or the file cannot be written.
 void export_shape(const ParticleTemplate& shape, const std::filesystem::path& path, double unit);
 
-}  // namespace dem
+}  // namespace dem::shapegen

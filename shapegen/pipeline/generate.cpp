@@ -13,7 +13,7 @@
 #include <array>
 #include <cstdio>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -119,4 +119,4 @@ LibrarySummary generate_library(const LibraryRequest& request, const std::filesy
     return summary;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

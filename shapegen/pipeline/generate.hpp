@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A library of grains, each of its own shape.
 struct LibraryRequest {
@@ -30,4 +30,4 @@ struct LibrarySummary {
 /// not hold them, and says how many it would.
 LibrarySummary generate_library(const LibraryRequest& request, const std::filesystem::path& path);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -15,7 +15,7 @@
 #include <future>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 constexpr double revolved_tolerance = 2e-5;  // of the length of the major axis
@@ -77,4 +77,4 @@ Solid load_solid(const std::filesystem::path& path, const MeshLoadOptions& optio
     return is_mesh_file(path) ? from_mesh(path, options) : from_profile(path, options.scale);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A body that another shape is to stand for, from a mesh or a profile.
 struct Solid {
@@ -38,4 +38,4 @@ struct Solid {
 /// unit itself and needs no repair. Throws Error that begins with the path.
 Solid load_solid(const std::filesystem::path& path, const MeshLoadOptions& options);
 
-}  // namespace dem
+}  // namespace dem::shapegen

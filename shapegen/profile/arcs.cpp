@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 double angle_of(const Vec2& v) {
@@ -199,4 +199,4 @@ std::vector<ProfileSegment> cubic_spline(std::span<const Vec2> points,
     return spline;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// Arcs and curves by what a drawing says about them. Lengths in meters.
-namespace dem {
+namespace dem::shapegen {
 
 /// How an arc gets from its start to its end.
 struct ArcSense {
@@ -42,4 +42,4 @@ std::vector<ProfileSegment> cubic_spline(std::span<const Vec2> points,
                                          const std::optional<Vec2>& first_tangent,
                                          const std::optional<Vec2>& last_tangent);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using Segments = std::vector<ProfileSegment>;
@@ -170,4 +170,4 @@ ProfileDraft named_shape(const ProfileText& text) {
     return draft;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

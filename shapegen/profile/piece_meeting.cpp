@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 double side(const Vec2& a, const Vec2& b, const Vec2& x) {
@@ -60,4 +60,4 @@ std::optional<Vec2> second_meeting_point(const ProfileSegment& segment_a, const 
     return second_meeting_point(segment_a, a_near, segment_b, b_near, tolerance);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

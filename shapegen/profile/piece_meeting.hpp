@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A point where two pieces that are not joined come closer than `tolerance`, if there is one.
 std::optional<Vec2> meeting_point(const ProfileSegment& segment_a, const ProfilePiece& a,
@@ -18,4 +18,4 @@ std::optional<Vec2> second_meeting_point(const ProfileSegment& segment_a, const 
                                          const ProfileSegment& segment_b, const ProfilePiece& b,
                                          double tolerance);
 
-}  // namespace dem
+}  // namespace dem::shapegen

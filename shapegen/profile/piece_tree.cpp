@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 constexpr std::uint32_t leaf_size = 4;
@@ -131,4 +131,4 @@ std::optional<PieceTree::Meeting> PieceTree::meeting_of_pieces(
     return Meeting{a.segment, b.segment, *point};
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A binary tree of boxes over the pieces of a path, in the order of the path: neighbors along the
 /// path are neighbors in the plane, so no sorting is needed.
@@ -50,4 +50,4 @@ class PieceTree {
     std::vector<Node> nodes_;
 };
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Third component of the cross product of two vectors of a plane.
 inline double cross(const Vec2& a, const Vec2& b) {
@@ -18,4 +18,4 @@ inline double angle_between(const Vec2& a, const Vec2& b) {
     return math::atan2(std::abs(cross(a, b)), a.dot(b));
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// Outward is to the right of a path that has the axis on its left.
@@ -103,11 +103,11 @@ std::vector<Profile::Corner> Profile::corners(double max_angle) const {
 Profile Profile::translated(double dz) const {
     Profile moved = *this;
     for (ProfileSegment& segment : moved.segments_)
-        segment = dem::translated(segment, Vec2(0.0, dz));
+        segment = shapegen::translated(segment, Vec2(0.0, dz));
     moved.tree_ = PieceTree(moved.segments_);
     moved.min_z_ += dz;
     moved.max_z_ += dz;
     return moved;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

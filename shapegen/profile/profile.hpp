@@ -9,7 +9,7 @@
 
 /// The generating curve of a surface of revolution: an ordered path in the half plane (r, z), r >=
 /// 0, from the lower end of the axis to the upper one. Lengths in meters.
-namespace dem {
+namespace dem::shapegen {
 
 /// A closed generating curve: first and last points lie on the axis (r == 0), consecutive segments
 /// join, it does not cross itself and encloses a volume. The constructor checks all of that and
@@ -66,4 +66,4 @@ class Profile {
     double max_z_ = 0.0;
 };
 
-}  // namespace dem
+}  // namespace dem::shapegen

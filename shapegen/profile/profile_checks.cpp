@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 constexpr double join_tolerance = 1e-9;    // of the size of the path
@@ -178,4 +178,4 @@ void check_shape(std::span<const ProfileSegment> segments, std::span<const std::
     check_area(tree.pieces(), labels.front(), size);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// What can be said of the segments before anything is built on them: there are some, their ends
 /// are finite, each has a length, they join, the first starts and the last ends on the axis, from
@@ -18,4 +18,4 @@ void check_path(std::span<const ProfileSegment> segments, std::span<const std::s
 void check_shape(std::span<const ProfileSegment> segments, std::span<const std::string> labels,
                  const PieceTree& tree, double size);
 
-}  // namespace dem
+}  // namespace dem::shapegen

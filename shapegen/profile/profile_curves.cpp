@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// Point and derivatives of (r, z) = (x(s), y(s)), s = start + t * range, from those by s.
@@ -146,4 +146,4 @@ ProfileSegment cubic_bezier(const std::array<Vec2, 4>& control_points) {
     return FreeCurve{std::make_shared<CubicBezier>(control_points)};
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 #include <array>
 
 /// The free curves of named shapes and of the profile file. Lengths in meters.
-namespace dem {
+namespace dem::shapegen {
 
 /// Half profile of (r/a)^m + (|z|/c)^m = 1, m > 1, bottom to top, as a lower and an upper quarter
 /// ([SR] Sec. 1: e = 1, n = 2/m).
@@ -24,4 +24,4 @@ ProfileSegment red_blood_cell_half(double diameter, const std::array<double, 3>&
 /// Cubic Bezier curve.
 ProfileSegment cubic_bezier(const std::array<Vec2, 4>& control_points);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 std::string_view first_word(std::string_view text) {
@@ -122,4 +122,4 @@ ProfileFile read_profile(const std::string& path, double scale) {
     return parse_profile(read_text_file(path, "profile", most_profile_megabytes), path, scale);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// What a profile file holds (docs/profile-file.md): a named shape, a path of commands or a table
 /// of points.
@@ -26,4 +26,4 @@ ProfileFile read_profile(const std::string& path, double scale = 1.0);
 /// A profile from the text of a file; `path` is for messages and the name.
 ProfileFile parse_profile(std::string_view text, const std::string& path, double scale = 1.0);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <optional>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 bool is_unit(std::string_view word) {
@@ -282,4 +282,4 @@ ProfileDraft parse_path(const ProfileText& text) {
     return builder.take(text);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -3,7 +3,7 @@
 
 #include "shapegen/profile/profile_text.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Whether a word begins a path command (docs/profile-file.md).
 bool is_path_command(std::string_view word);
@@ -13,4 +13,4 @@ const std::vector<std::string>& path_commands();
 /// Error(file:line, ...).
 ProfileDraft parse_path(const ProfileText& text);
 
-}  // namespace dem
+}  // namespace dem::shapegen

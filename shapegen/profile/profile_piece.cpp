@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 constexpr double largest_turn = 0.1;  // [rad]
@@ -258,4 +258,4 @@ double largest_along(const ProfileSegment& segment, const ProfilePiece& piece,
     return std::max(at_ends, direction.dot(evaluate(segment, 0.5 * (low + high)).point));
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

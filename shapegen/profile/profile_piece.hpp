@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Nearest point of a profile to a query point.
 struct ProfilePoint {
@@ -54,4 +54,4 @@ double largest_along(const ProfileSegment& segment, const ProfilePiece& piece,
 /// Distance of x from the segment a-b [m].
 double distance_to_chord(const Vec2& x, const Vec2& a, const Vec2& b);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 class ReversedCurve final : public ParametricCurve {
@@ -96,4 +96,4 @@ double signed_curvature(const CurveJet& jet) {
     return (jet.first.x() * jet.second.y() - jet.first.y() * jet.second.x()) / cube(speed);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 
 /// What a profile is made of: lines, ellipse arcs and smooth parametric curves in the half plane
 /// (r, z). Lengths in meters.
-namespace dem {
+namespace dem::shapegen {
 
 /// Point and derivatives of a segment with respect to its parameter t in [0, 1].
 struct CurveJet {
@@ -55,4 +55,4 @@ ProfileSegment translated(const ProfileSegment& segment, const Vec2& offset);
 /// Signed curvature of a curve at a jet [1/m]: positive where it turns to the left.
 double signed_curvature(const CurveJet& jet);
 
-}  // namespace dem
+}  // namespace dem::shapegen

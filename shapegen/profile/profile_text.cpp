@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 bool is_blank(char c) {
@@ -93,4 +93,4 @@ std::vector<std::string_view> columns(std::string_view row) {
     }
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

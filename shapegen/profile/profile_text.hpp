@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A profile file taken apart into its lines: settings `key = value` and statements. Comments and
 /// blank lines are gone. The views look into the text that was parsed.
@@ -59,4 +59,4 @@ struct ProfileDraft {
 /// The columns of a row, separated by blanks, a comma or a semicolon.
 std::vector<std::string_view> columns(std::string_view row);
 
-}  // namespace dem
+}  // namespace dem::shapegen

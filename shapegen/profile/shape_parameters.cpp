@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::shapegen {
 
 double ShapeParameters::length(std::string_view name) const {
     const auto& [value, line] = setting(name, "a length");
@@ -71,4 +71,4 @@ void fail_on_shape(const ProfileText& text, const std::vector<std::string>& know
                                       joined(known) + suggestion(value, known));
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -9,7 +9,7 @@
 
 /// Shapes given by `shape = NAME` and settings with their dimensions: what `.profile` and `.convex`
 /// files have in common.
-namespace dem {
+namespace dem::shapegen {
 
 /// No body is smaller or larger, and no point farther away [m].
 inline constexpr double least_length = 1e-12;
@@ -54,4 +54,4 @@ const Named& find_named(const ProfileText& text, const std::vector<Named>& all) 
     fail_on_shape(text, names);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

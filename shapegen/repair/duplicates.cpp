@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// A triangle by the place that it takes.
@@ -79,4 +79,4 @@ void remove_duplicates(TriangleSoup& soup, RepairReport& report) {
     report.add(opposite);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

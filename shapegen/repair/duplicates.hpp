@@ -4,7 +4,7 @@
 #include "shapegen/repair/repair_report.hpp"
 #include "shapegen/repair/triangle_soup.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Keeps of triangles with equal corners one of those that face the way most do; none when
 /// as many face one way as the other, for they enclose nothing: flaps, and faces that two parts
@@ -12,4 +12,4 @@ namespace dem {
 /// triangle of each place is kept.
 void remove_duplicates(TriangleSoup& soup, RepairReport& report);
 
-}  // namespace dem
+}  // namespace dem::shapegen

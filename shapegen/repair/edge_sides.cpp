@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace dem {
+namespace dem::shapegen {
 
 std::vector<EdgeSide> sides_by_edge(const TriangleSoup& soup) {
     const auto visit_sides = [&soup](const auto& visit) {
@@ -32,4 +32,4 @@ std::vector<EdgeSide> sides_by_edge(const TriangleSoup& soup) {
     return sides;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A side of a triangle: from one corner to the next.
 struct EdgeSide {
@@ -33,4 +33,4 @@ void visit_edges(const std::vector<EdgeSide>& sides, const Visit& visit) {
     }
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

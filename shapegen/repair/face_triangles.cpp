@@ -19,7 +19,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -240,4 +240,4 @@ TriangleSoup face_triangles(PolygonSoup faces, RepairReport& report) {
     return cutter.soup(report);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,7 +5,7 @@
 #include "shapegen/repair/repair_report.hpp"
 #include "shapegen/repair/triangle_soup.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Every face cut into triangles whose corners are its own: faces of four corners along the shorter
 /// diagonal that lies inside, larger ones by the Delaunay triangulation of their outline, seen
@@ -14,4 +14,4 @@ namespace dem {
 /// to their holes. An outline that crosses itself is cut from its first corner, which is reported.
 TriangleSoup face_triangles(PolygonSoup faces, RepairReport& report);
 
-}  // namespace dem
+}  // namespace dem::shapegen

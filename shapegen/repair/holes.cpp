@@ -9,7 +9,7 @@
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
@@ -167,4 +167,4 @@ std::vector<Finding> remove_flat_triangles(SurfaceMesh& mesh, RepairReport& repo
     return {};
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Closes the holes of a surface and removes open scraps. What lay in a hole is unknown: half a
 /// ball on it is taken as what the patch may have got wrong, 2/3 A sqrt(A/pi) for a hole of area A.
@@ -18,4 +18,4 @@ std::vector<Finding> close_holes(SurfaceMesh& mesh, double limit, RepairReport& 
 /// Removes triangles without area. Returns what stayed.
 std::vector<Finding> remove_flat_triangles(SurfaceMesh& mesh, RepairReport& report);
 
-}  // namespace dem
+}  // namespace dem::shapegen

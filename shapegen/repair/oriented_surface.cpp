@@ -10,7 +10,7 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
@@ -80,4 +80,4 @@ SurfaceMesh oriented_surface(const TriangleSoup& soup, RepairReport& report) {
     return mesh;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

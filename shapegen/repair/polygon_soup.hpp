@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Faces as a file holds them: of three or more corners each, in no order, nothing promised about
 /// closedness, orientation, flatness or shared corners. Corners are in range, points finite.
@@ -28,4 +28,4 @@ struct PolygonSoup {
     void end_face() { face_ends.push_back(corners.size()); }
 };
 
-}  // namespace dem
+}  // namespace dem::shapegen

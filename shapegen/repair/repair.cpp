@@ -16,7 +16,7 @@
 #include <iterator>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// What rounding to single precision or to six digits moves a point by, at most.
@@ -102,4 +102,4 @@ RepairedMesh repair(TriangleSoup soup, const RepairOptions& options, RepairRepor
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -9,7 +9,7 @@
 #include <functional>
 #include <string_view>
 
-namespace dem {
+namespace dem::shapegen {
 
 struct RepairOptions {
     double limit = 0.01;        ///< largest fraction of the volume that repairs may put at stake
@@ -30,4 +30,4 @@ struct RepairedMesh {
 /// found before.
 RepairedMesh repair(TriangleSoup soup, const RepairOptions& options = {}, RepairReport report = {});
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -4,7 +4,7 @@
 #include <iomanip>
 #include <sstream>
 
-namespace dem {
+namespace dem::shapegen {
 
 void RepairReport::add(const Finding& finding) {
     if (finding.count == 0) return;
@@ -57,4 +57,4 @@ std::vector<std::string> describe(const RepairReport& report, double file_unit) 
     return lines;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

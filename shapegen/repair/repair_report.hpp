@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Defects of one kind, and what was done about them.
 struct Finding {
@@ -39,4 +39,4 @@ std::vector<std::string> describe(const RepairReport& report, double file_unit);
 /// "0.21 %", "351 %", "more than 1000 %": two digits, whole numbers from 10 % on.
 std::string percentage(double fraction);
 
-}  // namespace dem
+}  // namespace dem::shapegen

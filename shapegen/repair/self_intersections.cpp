@@ -13,7 +13,7 @@
 #include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
@@ -128,4 +128,4 @@ std::vector<Finding> remove_self_intersections(SurfaceMesh& mesh, RepairReport& 
     return {};
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

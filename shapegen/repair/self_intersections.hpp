@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Two triangles that cross or overlap, the one of the lower index first.
 using CrossingPair = std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>;
@@ -34,4 +34,4 @@ SelfIntersections self_intersections(SurfaceMesh& mesh);
 /// Returns what still crosses.
 std::vector<Finding> remove_self_intersections(SurfaceMesh& mesh, RepairReport& report);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// The lowest vertex connected with each vertex.
@@ -99,4 +99,4 @@ void nest(std::vector<Shell>& shells, const ShellPairs& crossing) {
     }
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

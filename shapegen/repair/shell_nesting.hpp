@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A connected closed surface, one of several.
 struct Shell {
@@ -39,4 +39,4 @@ using ShellPairs = std::set<std::pair<std::size_t, std::size_t>>;
 /// other decides; those that cross are not in each other.
 void nest(std::vector<Shell>& shells, const ShellPairs& crossing = {});
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 bool is_hollow(const Shell& shell) {
@@ -99,4 +99,4 @@ std::vector<Finding> keep_one_body(TriangleMesh& mesh, const ShellOptions& optio
     return {};
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// What to do about several shells in one file.
 struct ShellOptions {
@@ -20,4 +20,4 @@ struct ShellOptions {
 std::vector<Finding> keep_one_body(TriangleMesh& mesh, const ShellOptions& options,
                                    RepairReport& report);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -127,4 +127,4 @@ void close_cracks(TriangleSoup& soup, double distance, RepairReport& report) {
     report.add(finding);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -9,7 +9,7 @@
 
 /// Faults of a soup that need no topology. Each function changes the soup, reports what it found
 /// and keeps the order of what stays.
-namespace dem {
+namespace dem::shapegen {
 
 /// The edges that belong to one triangle only, by their ends.
 std::vector<EdgeSide> open_edges(const TriangleSoup& soup);
@@ -28,4 +28,4 @@ void remove_collapsed(TriangleSoup& soup, RepairReport& report);
 /// rounding left between faces that belong together.
 void close_cracks(TriangleSoup& soup, double distance, RepairReport& report);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <CGAL/Surface_mesh.h>
 
 /// CGAL's mesh for the sources of shapegen/repair; no other folder includes this.
-namespace dem {
+namespace dem::shapegen {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -34,4 +34,4 @@ inline TriangleMesh triangle_mesh(SurfaceMesh& mesh) {
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using PointIndices = std::vector<std::uint32_t>;
@@ -111,4 +111,4 @@ void split_at_t_junctions(TriangleSoup& soup, double distance, RepairReport& rep
     report.add(finding);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -4,10 +4,10 @@
 #include "shapegen/repair/repair_report.hpp"
 #include "shapegen/repair/triangle_soup.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Splits triangles with an open edge at the open points that lie within `distance` [m] of it, so
 /// that they fit their neighbors: CAD programs mesh the faces of a solid one by one.
 void split_at_t_junctions(TriangleSoup& soup, double distance, RepairReport& report);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -12,7 +12,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -179,4 +179,4 @@ bool has_closed_parts(const TriangleSoup& soup) {
     return parts > 1;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -4,7 +4,7 @@
 #include "shapegen/repair/repair_report.hpp"
 #include "shapegen/repair/triangle_soup.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Gives bodies that meet in edges or corners points of their own there. At an edge of four or more
 /// triangles those belong together that bound the same wedge of a body, which their order around
@@ -16,4 +16,4 @@ void part_touching_bodies(TriangleSoup& soup, RepairReport& report);
 /// surfaces, as programs write the parts of an assembly.
 bool has_closed_parts(const TriangleSoup& soup);
 
-}  // namespace dem
+}  // namespace dem::shapegen

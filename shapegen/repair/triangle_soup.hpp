@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Triangles as a file holds them: nothing is promised about closedness, orientation or shared
 /// corners. Indices are in range.
@@ -22,4 +22,4 @@ inline bool is_before(const Vec3& a, const Vec3& b) {
     return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -14,7 +14,7 @@
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
@@ -203,4 +203,4 @@ std::vector<Finding> unite_parts(SurfaceMesh& mesh, RepairReport& report) {
     return {};
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Closed parts that cross, share faces or hold each other become their union (corefinement, worked
 /// out exactly, corners rounded to double precision at the end). A part may have hollows, which
@@ -15,4 +15,4 @@ namespace dem {
 /// parts that cross themselves, or that meet in an edge or a corner alone.
 std::vector<Finding> unite_parts(SurfaceMesh& mesh, RepairReport& report);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 constexpr double smallest_turn = 1e-13;          // [rad]
@@ -134,4 +134,4 @@ void SupportPieces::append_spline(const ProfileSegment& segment, const SupportLi
     append_spline(segment, upper, depth - 1);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

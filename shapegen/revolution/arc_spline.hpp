@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Pieces of a support map in rising normal, each with the last of its normals.
 class SupportPieces {
@@ -46,4 +46,4 @@ class SupportPieces {
 /// q of sr_shape.hpp for a normal.
 double direction_measure(const Vec2& normal);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -55,4 +55,4 @@ BallChain ball_chain(const Profile& profile) {
     return chain;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

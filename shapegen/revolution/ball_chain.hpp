@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A ball about a point of the axis of revolution [m].
 struct AxialBall {
@@ -25,4 +25,4 @@ struct BallChain {
 /// of a file have six digits or more: what differs by a millionth of a radius counts as equal.
 BallChain ball_chain(const Profile& profile);
 
-}  // namespace dem
+}  // namespace dem::shapegen

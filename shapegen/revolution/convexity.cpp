@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 double side(const Vec2& a, const Vec2& b, const Vec2& x) {
@@ -59,4 +59,4 @@ Convexity convexity(const Profile& profile) {
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -3,7 +3,7 @@
 
 #include "shapegen/profile/profile.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// How far a body of revolution is from its convex hull.
 struct Convexity {
@@ -20,4 +20,4 @@ inline constexpr double convexity_tolerance = 1e-6;
 /// with a dimple on the axis is not. Distance to the hull of dense samples of the mirrored profile.
 Convexity convexity(const Profile& profile);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 constexpr double tolerance = 1e-3;
@@ -155,4 +155,4 @@ CurvatureTable curvature_table(const Profile& profile, double equivalent_diamete
     return sampler.take();
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

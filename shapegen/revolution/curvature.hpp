@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Mean curvature H = (kappa_1 + kappa_2)/2 of the surface of revolution at a point of its profile,
 /// in closed form from the profile's derivatives: kappa_1 of the profile, kappa_2 = n_r / r, at a
@@ -32,4 +32,4 @@ struct CurvatureTable {
 /// interpolation by arc length would be off by more than 1e-3 of max(|H|, 0.2 / d_eq).
 CurvatureTable curvature_table(const Profile& profile, double equivalent_diameter);
 
-}  // namespace dem
+}  // namespace dem::shapegen

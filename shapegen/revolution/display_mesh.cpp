@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -75,4 +75,4 @@ DisplayMesh display_mesh(const Profile& profile, double tolerance) {
     return {points, std::move(triangles), deviation};
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

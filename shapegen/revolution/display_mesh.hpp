@@ -4,7 +4,7 @@
 #include "common/shapes/particle_template.hpp"
 #include "shapegen/profile/profile.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A closed triangle mesh of the body of revolution for pictures: the profile thinned to chords
 /// (Douglas-Peucker), then revolved. Vertices lie on the surface, ring by ring from the bottom pole
@@ -12,4 +12,4 @@ namespace dem {
 /// profile and half around the axis. `max_deviation` is measured with the exact distance.
 DisplayMesh display_mesh(const Profile& profile, double tolerance);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -9,7 +9,7 @@
 #include <CGAL/Min_sphere_of_points_d_traits_3.h>
 #include <CGAL/Min_sphere_of_spheres_d.h>
 
-namespace dem {
+namespace dem::shapegen {
 
 SurfaceNodes::Ball enclosing_ball(std::span<const Vec3> points) {
     using Kernel = CGAL::Cartesian<double>;
@@ -25,4 +25,4 @@ SurfaceNodes::Ball enclosing_ball(std::span<const Vec3> points) {
     return ball;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,10 +5,10 @@
 
 #include <span>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The smallest ball that holds the points (at least one) [m]. Its radius is taken from the rounded
 /// center, so every point is inside to the last bit.
 SurfaceNodes::Ball enclosing_ball(std::span<const Vec3> points);
 
-}  // namespace dem
+}  // namespace dem::shapegen

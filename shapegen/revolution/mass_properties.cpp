@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// Integrals along a profile, in its order: r^2 dz, z r^2 dz, r^4 dz, z^2 r^2 dz, r ds, r^3 ds,
@@ -57,4 +57,4 @@ RevolutionMass revolution_mass(const Profile& profile) {
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -4,7 +4,7 @@
 #include "common/shapes/mass_properties.hpp"
 #include "shapegen/profile/profile.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Everything a body of revolution of uniform density has by integration along its profile.
 struct RevolutionMass {
@@ -18,4 +18,4 @@ struct RevolutionMass {
 /// error below 1e-12.
 RevolutionMass revolution_mass(const Profile& profile);
 
-}  // namespace dem
+}  // namespace dem::shapegen

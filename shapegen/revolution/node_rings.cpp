@@ -9,7 +9,7 @@
 #include <numeric>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -173,4 +173,4 @@ std::vector<Ring> node_rings(const Profile& profile, std::uint32_t count) {
     return rings;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Rings of exactly `count` surface nodes, bottom pole to top pole, evenly spread by area and
 /// denser where the surface turns sharply. Every ring lies exactly on the profile; both poles are
@@ -20,4 +20,4 @@ namespace dem {
 /// Throws Error when `count` is too small for the corners of the profile.
 std::vector<Ring> node_rings(const Profile& profile, std::uint32_t count);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -95,4 +95,4 @@ double farthest_distance(const Profile& profile) {
     return refined;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

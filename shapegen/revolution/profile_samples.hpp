@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A point exactly on the profile. Joints appear twice, as the end of one segment and the start of
 /// the next.
@@ -24,4 +24,4 @@ std::vector<ProfileSample> sample_profile(const Profile& profile, double step);
 /// The largest distance of a point of the profile from the origin [m].
 double farthest_distance(const Profile& profile);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -75,4 +75,4 @@ void stagger(std::span<Ring> rings) {
     }
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

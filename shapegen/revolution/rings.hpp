@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Points on one circle of a surface of revolution: `count` of them, evenly spaced, the first at
 /// the azimuth `phase` [rad]. A pole is a ring of one point.
@@ -30,4 +30,4 @@ std::vector<std::array<std::uint32_t, 3>> ring_triangles(std::span<const Ring> r
 /// Turns each ring by half its spacing against the one before, as in a close packing.
 void stagger(std::span<Ring> rings);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -180,4 +180,4 @@ SdfQuadtree signed_distance_field(const Profile& profile, const SdfResolution& r
     return Builder(profile, resolution, least_margin).build();
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Cells per major axis length l at each level [SR 2.3]. The ratios are powers of two: a seam is
 /// then continuous (every kink of the coarse side is a grid point of the fine side).
@@ -35,4 +35,4 @@ void check_resolution(const SdfResolution& resolution);
 SdfQuadtree signed_distance_field(const Profile& profile, const SdfResolution& resolution,
                                   double least_margin = 0.0);
 
-}  // namespace dem
+}  // namespace dem::shapegen

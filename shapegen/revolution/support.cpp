@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// First piece of each of `buckets` equal ranges of q.
@@ -108,4 +108,4 @@ double support_error(const Profile& profile, const SupportMap& map) {
     return std::max(largest, fan_difference(map, last, Vec2(0.0, 1.0), top));
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

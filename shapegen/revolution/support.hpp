@@ -4,7 +4,7 @@
 #include "common/shapes/sr_shape.hpp"
 #include "shapegen/profile/profile.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Support map of a convex body of revolution (docs/contact.md, "Common normal"). Arcs of circles
 /// and of axis-aligned ellipses are kept exactly, edges and tips become corners, free curves
@@ -19,4 +19,4 @@ SupportMap support_map(const Profile& profile);
 /// dense samples of the profile and over the fans of its corners [m].
 double support_error(const Profile& profile, const SupportMap& map);
 
-}  // namespace dem
+}  // namespace dem::shapegen

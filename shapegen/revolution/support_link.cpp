@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// A flat turns by twice this angle [rad] ...
@@ -189,4 +189,4 @@ std::vector<SupportLink> support_links(const Profile& profile) {
     return links;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A stretch of a convex profile between two points with their outward normals: a part of a curved
 /// segment, or a flat one that is to be crowned. Normals rise (turn left) along a profile.
@@ -33,4 +33,4 @@ std::vector<SupportLink> support_links(const Profile& profile);
 /// Parameter of the point of a convex curved segment with the given outward normal, in [t0, t1].
 double parameter_of_normal(const ProfileSegment& segment, const Vec2& normal, double t0, double t1);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 
 double surface_deviation(const Profile& profile, std::span<const Vec3> points,
                          std::span<const std::array<std::uint32_t, 3>> triangles) {
@@ -25,4 +25,4 @@ double surface_deviation(const Profile& profile, std::span<const Vec3> points,
     return largest;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

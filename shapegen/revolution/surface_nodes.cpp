@@ -11,7 +11,7 @@
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -116,4 +116,4 @@ SurfaceNodes surface_nodes(std::span<const Ring> rings,
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <functional>
 #include <span>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The points of the rings as surface nodes: ordered by recursive bisection along the widest side,
 /// cut at whole blocks and super blocks so that both are compact; with smallest enclosing balls and
@@ -16,4 +16,4 @@ namespace dem {
 SurfaceNodes surface_nodes(std::span<const Ring> rings,
                            const std::function<double(const Ring&)>& mean_curvature);
 
-}  // namespace dem
+}  // namespace dem::shapegen

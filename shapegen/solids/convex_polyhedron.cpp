@@ -7,7 +7,7 @@
 #include <limits>
 #include <sstream>
 
-namespace dem {
+namespace dem::shapegen {
 
 Vec3 ConvexPolyhedron::normal(std::size_t face) const {
     // Newell's sum over the outline: no corner matters more than its size.
@@ -54,4 +54,4 @@ ConvexPolyhedron eroded(const ConvexPolyhedron& solid, double depth, const HullO
     return hull(corners);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

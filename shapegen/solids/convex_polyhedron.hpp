@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A convex solid with flat faces. Every vertex has at least three faces, no two faces lie in one
 /// plane, every edge is shared by two faces.
@@ -29,4 +29,4 @@ using HullOfPoints = std::function<ConvexPolyhedron(std::span<const Vec3>)>;
 /// inwards, which meet where `hull` finds it. Throws Error when nothing is left around its center.
 ConvexPolyhedron eroded(const ConvexPolyhedron& solid, double depth, const HullOfPoints& hull);
 
-}  // namespace dem
+}  // namespace dem::shapegen

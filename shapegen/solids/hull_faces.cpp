@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -252,4 +252,4 @@ ConvexPolyhedron polyhedron_of(std::span<const Vec3> points, std::span<const Cor
                 "hull apart, expected a solid with less than 1e8 times its thickness in length");
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Throws Error for fewer than four points and numbers that are not finite.
 void require_points_of_hull(std::span<const Vec3> points);
@@ -23,4 +23,4 @@ void require_points_of_hull(std::span<const Vec3> points);
 ConvexPolyhedron polyhedron_of(std::span<const Vec3> points,
                                std::span<const std::array<std::uint32_t, 3>> triangles);
 
-}  // namespace dem
+}  // namespace dem::shapegen

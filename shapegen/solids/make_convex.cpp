@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -224,4 +224,4 @@ double farthest_outside(const ConvexSolid& solid, std::span<const Vec3> points) 
     return farthest;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

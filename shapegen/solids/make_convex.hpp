@@ -11,7 +11,7 @@
 /// edges and corners are replaced by those of a sphere of radius `rounding` that rolls inside of
 /// it. Every function throws Error for dimensions that are not positive and finite and for a
 /// rounding that is negative or leaves no core.
-namespace dem {
+namespace dem::shapegen {
 
 /// A shape with what a template says about every solid. Mass properties are those of the rounded
 /// body: in closed form, for an ellipsoid with a rounding by quadrature to 1e-9.
@@ -53,4 +53,4 @@ ConvexShape rounded_around(const ConvexPolyhedron& core, double rounding);
 /// Mass properties of any convex shape, about any origin: its own frame is the frame of the input.
 ConvexSolid with_mass_properties(ConvexShape shape);
 
-}  // namespace dem
+}  // namespace dem::shapegen

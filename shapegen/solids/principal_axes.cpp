@@ -6,7 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// The rotation nearest to the identity whose columns are the given orthonormal ones in any order
@@ -69,4 +69,4 @@ MassProperties principal_mass_properties(double volume, const Vec3& center_of_ma
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -3,7 +3,7 @@
 
 #include "common/shapes/mass_properties.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Mass properties from the tensor of inertia about the center of mass per density [m^5]. Of the
 /// many names of the same axes those nearest to the axes of the input are taken (a mesh that is
@@ -11,4 +11,4 @@ namespace dem {
 MassProperties principal_mass_properties(double volume, const Vec3& center_of_mass,
                                          const Mat3& inertia_per_density);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -76,4 +76,4 @@ DisplayMesh decimated(const SurfaceQuery& surface, std::size_t triangles) {
     return {std::move(result.vertices), std::move(result.triangles), largest};
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

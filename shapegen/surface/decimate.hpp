@@ -7,7 +7,7 @@
 
 #include <cstddef>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A mesh to look at in place of the solid's: edges collapsed by the quadrics of Garland and
 /// Heckbert (1997) until at most `triangles` are left; a mesh that has no more stays as it is.
@@ -15,4 +15,4 @@ namespace dem {
 /// one, and from the middles of the new edges and triangles.
 DisplayMesh decimated(const SurfaceQuery& surface, std::size_t triangles);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// An edge of a triangle, and the corner opposite to it.
@@ -40,4 +40,4 @@ bool is_convex(const TriangleMesh& mesh) {
     return true;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

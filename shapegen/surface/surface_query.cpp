@@ -5,7 +5,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using ExactKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -66,4 +66,4 @@ double SurfaceQuery::signed_distance(const Vec3& p) const {
     return is_inside(p) ? -unsigned_distance : unsigned_distance;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -3,7 +3,7 @@
 
 #include "shapegen/mesh/triangle_mesh_tree.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Questions to the surface of a solid: nearest points, distances, inside or outside. Built once
 /// per mesh; queries change nothing and may run in any number of threads.
@@ -42,4 +42,4 @@ class SurfaceQuery {
     TriangleMeshTree tree_;
 };
 
-}  // namespace dem
+}  // namespace dem::shapegen

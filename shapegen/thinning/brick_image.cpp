@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/thinning/brick_image.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -50,4 +50,4 @@ VoxelImage BrickImage::voxel_image() const {
     return image;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -3,7 +3,7 @@
 
 #include "shapegen/voxel/voxel_image.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// 4 x 4 x 4 voxels; bit x + 4 y + 16 z.
 using Brick = std::uint64_t;
@@ -42,4 +42,4 @@ class BrickImage {
     std::vector<Brick> bricks_;
 };
 
-}  // namespace dem
+}  // namespace dem::shapegen

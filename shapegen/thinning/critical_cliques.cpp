@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/thinning/critical_cliques.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -82,4 +82,4 @@ template Brick critical_1_cliques<0>(const Neighborhoods&, const Blocks&);
 template Brick critical_1_cliques<1>(const Neighborhoods&, const Blocks&);
 template Brick critical_1_cliques<2>(const Neighborhoods&, const Blocks&);
 
-}  // namespace dem
+}  // namespace dem::shapegen

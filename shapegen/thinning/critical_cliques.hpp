@@ -12,7 +12,7 @@
 
 #include "shapegen/thinning/neighborhoods.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Critical cliques of rank 2: two voxels one step along the axis apart.
 template <int Axis>
@@ -26,4 +26,4 @@ Brick critical_1_cliques(const Neighborhoods& x, const Blocks& removable);
 /// critical.
 Brick critical_0_cliques(const Blocks& x, const Blocks& removable);
 
-}  // namespace dem
+}  // namespace dem::shapegen

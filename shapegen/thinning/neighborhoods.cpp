@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/thinning/neighborhoods.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 // One axis after the other: steps along y are taken from what the steps along x gave, and steps
 // along z from those.
@@ -47,4 +47,4 @@ Blocks blocks(const BrickView& view, std::ptrdiff_t i) {
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

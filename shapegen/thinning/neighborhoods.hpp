@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A step from a voxel to one of its neighbors, each part -1, 0 or 1.
 struct Step {
@@ -85,4 +85,4 @@ struct Blocks {
 Neighborhoods neighborhoods(const BrickView& view, std::ptrdiff_t i);
 Blocks blocks(const BrickView& view, std::ptrdiff_t i);
 
-}  // namespace dem
+}  // namespace dem::shapegen

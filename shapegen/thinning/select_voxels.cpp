@@ -3,7 +3,7 @@
 
 #include "shapegen/thinning/critical_cliques.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 void Keeper::keep_next_x(Brick voxels, Brick* brick) {
     *brick &= ~((voxels & ~last_x) << 1);
@@ -58,4 +58,4 @@ void select_from_0_cliques(const BrickView& x, const BrickView& removable, std::
     keeper.keep_next_xy(left);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,7 +5,7 @@
 
 #include "shapegen/thinning/neighborhoods.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// A brick of removable voxels from which those that have to stay are taken; of a layer that no one
 /// else writes to.
@@ -36,4 +36,4 @@ void select_from_1_cliques(const BrickView& x, const BrickView& removable, std::
 void select_from_0_cliques(const BrickView& x, const BrickView& removable, std::ptrdiff_t i,
                            const Keeper& keeper);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 // Faces bring their edges with them, so A is connected when the graph of its corners and edges is.
 #include "shapegen/thinning/simple_voxels.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -118,4 +118,4 @@ Brick simple_voxels(const Neighborhoods& x, Brick candidates) {
     return is_connected(a, candidates & has_euler_number_1(a));
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

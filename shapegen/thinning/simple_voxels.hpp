@@ -3,10 +3,10 @@
 
 #include "shapegen/thinning/neighborhoods.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Which of the candidates are simple: taking one away changes neither the number of components nor
 /// that of cavities or tunnels [MS Theorem 1].
 Brick simple_voxels(const Neighborhoods& x, Brick candidates);
 
-}  // namespace dem
+}  // namespace dem::shapegen

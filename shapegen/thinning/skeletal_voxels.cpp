@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapegen/thinning/skeletal_voxels.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -43,4 +43,4 @@ Brick curve_ends(const BrickView& x, std::ptrdiff_t i) {
     return x[i] & one & ~more;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

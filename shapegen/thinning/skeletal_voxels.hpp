@@ -4,7 +4,7 @@
 
 #include "shapegen/thinning/neighborhoods.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Voxels whose six face neighbors belong to X too.
 Brick interior_voxels(const BrickView& x, std::ptrdiff_t i);
@@ -15,4 +15,4 @@ Brick surface_ends(const BrickView& x, const BrickView& interior, std::ptrdiff_t
 /// Voxels with exactly one of 26 neighbors [MS 2.3].
 Brick curve_ends(const BrickView& x, std::ptrdiff_t i);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -12,7 +12,7 @@
 
 #include <utility>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -160,4 +160,4 @@ VoxelImage thin(const VoxelImage& image, Skeleton kind) {
     }
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -3,7 +3,7 @@
 
 #include "shapegen/voxel/voxel_image.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// What thinning keeps beside the topology.
 enum class Skeleton {
@@ -18,4 +18,4 @@ enum class Skeleton {
 /// grid stays, so the skeleton is the same for any number of threads.
 VoxelImage thin(const VoxelImage& image, Skeleton kind);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 #endif
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -31,4 +31,4 @@ int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
     return static_cast<int>(CGAL::orientation(point(a), point(b), point(c), point(d)));
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The sign of the determinant, whatever the rounding: what the inline functions below ask when
 /// doubles cannot tell.
@@ -49,4 +49,4 @@ inline int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
     return exact_orientation(a, b, c, d);
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

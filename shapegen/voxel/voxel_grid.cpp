@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -47,4 +47,4 @@ double voxel_spacing(double volume, double per_diameter) {
     return equivalent_diameter(volume) / per_diameter;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

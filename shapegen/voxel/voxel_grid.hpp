@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// (i, j, k) along x, y, z.
 using Voxel = std::array<int, 3>;
@@ -34,4 +34,4 @@ VoxelGrid enclosing_grid(const Aabb& box, double spacing);
 /// volume [m^3], d_eq / N in [MS 2.1].
 double voxel_spacing(double volume, double per_diameter);
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,7 +5,7 @@
 
 #include <bit>
 
-namespace dem {
+namespace dem::shapegen {
 
 VoxelImage::VoxelImage(const VoxelGrid& grid)
     : grid_(grid),
@@ -60,4 +60,4 @@ std::vector<Voxel> VoxelImage::voxels() const {
     return voxels;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

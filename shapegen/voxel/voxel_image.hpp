@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// 64 voxels of a row; bit b of word w is voxel 64 w + b.
 using VoxelWord = std::uint64_t;
@@ -54,4 +54,4 @@ class VoxelImage {
     std::vector<VoxelWord> words_;
 };
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace dem {
+namespace dem::shapegen {
 
 namespace {
 
@@ -172,4 +172,4 @@ VoxelImage voxelize(const TriangleMesh& mesh, double spacing) {
     return voxelize(mesh, enclosing_grid(bounding_box(mesh), spacing));
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -4,7 +4,7 @@
 #include "shapegen/mesh/triangle_mesh.hpp"
 #include "shapegen/voxel/voxel_image.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 
 /// The voxels whose centers lie inside the mesh or on its surface [MS 2.1], without any tolerance:
 /// the answer is that of exact arithmetic on the given coordinates. Inside is where the surface
@@ -17,4 +17,4 @@ VoxelImage voxelize(const TriangleMesh& mesh, const VoxelGrid& grid);
 /// `spacing` [m]; throws Error as enclosing_grid does.
 VoxelImage voxelize(const TriangleMesh& mesh, double spacing);
 
-}  // namespace dem
+}  // namespace dem::shapegen

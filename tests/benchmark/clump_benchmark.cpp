@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <string>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 void measure(const Solid& solid, double goal, const ClumpOptions& common) {
@@ -38,21 +38,21 @@ void measure(const Solid& solid, double goal, const ClumpOptions& common) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen
 
 int main(int argc, char** argv) {
     if (argc < 4) {
         std::fputs("usage: clump_benchmark FILE VOXELS_PER_DIAMETER GOAL ...\n", stderr);
         return 2;
     }
-    dem::MeshLoadOptions loading;
+    dem::shapegen::MeshLoadOptions loading;
     loading.repair_limit = 0.05;  // the bunny's open base
-    const dem::Solid solid = dem::load_solid(argv[1], loading);
-    dem::ClumpOptions options;
+    const dem::shapegen::Solid solid = dem::shapegen::load_solid(argv[1], loading);
+    dem::shapegen::ClumpOptions options;
     options.per_diameter = std::atof(argv[2]);
     options.protrusion = 0.05;
     std::puts(
         "goal,spheres,coverage %,uncovered + outside %,outside %,volume %,RMS deviation % d_eq,"
         "max in %,max out %,moment x %,moment y %,moment z %,slope RMS deg,ceiling %,s");
-    for (int i = 3; i < argc; ++i) dem::measure(solid, std::atof(argv[i]), options);
+    for (int i = 3; i < argc; ++i) dem::shapegen::measure(solid, std::atof(argv[i]), options);
 }

@@ -14,6 +14,9 @@
 #include <benchmark/benchmark.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 constexpr std::size_t pair_count = 1024;

@@ -21,6 +21,9 @@
 // contact, with e_n = e_t = 1 and a friction that never slips, or that of [GC] Table 7.
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 constexpr double density = 1000.0;  // [kg/m^3]
@@ -187,7 +190,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "usage: convex_collisions features|centroid [collisions]\n");
         return 2;
     }
-    using Method = dem::ContactLaw::Method;
+    using Method = dem::runtime::ContactLaw::Method;
     dem::test::print_table(method == "centroid" ? Method::centroid : Method::automatic, collisions);
     return 0;
 }

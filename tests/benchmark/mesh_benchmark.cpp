@@ -13,7 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 template <class Work>
@@ -69,13 +69,13 @@ void run(const std::filesystem::path& path) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen
 
 int main(int argc, char** argv) {
     try {
         const std::filesystem::path meshes = std::filesystem::path(DEM_SOURCE_DIR) / "data/meshes";
         const std::filesystem::path full = meshes / "full/stl-models/objects/bunny.bin.stl";
-        dem::run(argc > 1 ? argv[1] : exists(full) ? full : meshes / "bunny.ply");
+        dem::shapegen::run(argc > 1 ? argv[1] : exists(full) ? full : meshes / "bunny.ply");
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "mesh_benchmark: error: %s\n", error.what());

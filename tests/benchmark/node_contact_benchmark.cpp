@@ -12,7 +12,7 @@
 
 /// Cost per pair of contacts by nodes: candies of N nodes at random attitudes, one behind the other
 /// in memory as a time loop meets them. `gap` < 0: the deepest node is that far inside.
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 const SrShape& candy(std::int64_t nodes) {
@@ -208,4 +208,4 @@ void stencil_walk(benchmark::State& state) {
 BENCHMARK(stencil_walk);
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// One level of square cells over the same area.
@@ -134,10 +134,11 @@ void compare(const std::string& name, const Profile& profile) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen
 
 int main() {
     std::printf(
         "shape      field            KB  surface mean, max [l]  to 0.057 l mean, max [l]     ns\n");
-    for (const auto& [name, profile] : dem::test::all_profiles()) dem::compare(name, profile);
+    for (const auto& [name, profile] : dem::test::all_profiles())
+        dem::shapegen::compare(name, profile);
 }

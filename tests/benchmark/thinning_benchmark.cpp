@@ -15,7 +15,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// 131 072 triangles; four lobes three times as far out as the dents between them.
@@ -60,11 +60,11 @@ void measure(const TriangleMesh& mesh, int per_diameter, int threads) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen
 
 int main() {
-    const dem::TriangleMesh mesh = dem::lobed_body();
+    const dem::shapegen::TriangleMesh mesh = dem::shapegen::lobed_body();
     std::printf("shape,per_diameter,threads,voxels,skeleton,voxelize,surface,curve,hash\n");
     for (const int per_diameter : {60, 100, 200})
-        for (const int threads : {1, 2}) dem::measure(mesh, per_diameter, threads);
+        for (const int threads : {1, 2}) dem::shapegen::measure(mesh, per_diameter, threads);
 }

@@ -29,7 +29,10 @@
 // to second: `cycles` is cpu_us times the clock measured between the blocks, and can be compared
 // from run to run.
 
-namespace dem {
+namespace dem::runtime {
+
+using namespace shapegen;
+
 namespace {
 
 constexpr const char* scene_names = "spheres, candies, candies_nodes, clumps, sand, cylinders";
@@ -251,11 +254,11 @@ Settings settings(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime
 
 int main(int argc, char** argv) {
     try {
-        dem::measure(dem::settings(argc, argv));
+        dem::runtime::measure(dem::runtime::settings(argc, argv));
     } catch (const dem::UsageError& error) {
         std::fprintf(stderr, "time_loop_benchmark: error: %s\n", error.what());
         return 2;

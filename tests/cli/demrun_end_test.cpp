@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 namespace fs = std::filesystem;
@@ -336,4 +336,4 @@ TEST_F(Demrun, ABodyThatBeginsToRollDownATenthOfADegreeIsNotAtRest) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

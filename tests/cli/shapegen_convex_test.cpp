@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 namespace fs = std::filesystem;
@@ -234,4 +234,4 @@ TEST_F(ShapegenConvex, RefusesWhatIsNoBody) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

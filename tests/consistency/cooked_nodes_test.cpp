@@ -17,7 +17,10 @@
 #include <gtest/gtest.h>
 
 /// Contacts by nodes on the shapes that shapegen cooks from data/profiles.
-namespace dem {
+namespace dem::shapegen {
+
+using namespace runtime;
+
 namespace {
 
 SrShape cooked(const std::string& name, std::uint32_t nodes = 2000) {
@@ -155,4 +158,4 @@ TEST(CookedNodes, AWallFeelsTheSameOverlapByNodesAndBySupport) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

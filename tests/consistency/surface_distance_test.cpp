@@ -18,7 +18,7 @@
 #include <gtest/gtest.h>
 
 /// Nearest surface points and inside or outside of every kind, each against a second method.
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 const std::filesystem::path data = std::string(DEM_SOURCE_DIR) + "/data";
@@ -183,4 +183,4 @@ TEST(SurfaceDistance, PointsInsideMakeUpTheVolume) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -27,7 +27,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 namespace fs = std::filesystem;
@@ -245,14 +245,14 @@ class KillTest {
 };
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime
 
 int main(int argc, char** argv) {
     const int kills = argc > 1 ? std::stoi(argv[1]) : 100;
     const std::uint64_t seed = argc > 2 ? std::stoull(argv[2]) : 1;
     const std::string end_time = argc > 3 ? argv[3] : "0.35";
     try {
-        dem::KillTest test(DEM_BINARY_DIR "/bin/demrun", seed, end_time);
+        dem::runtime::KillTest test(DEM_BINARY_DIR "/bin/demrun", seed, end_time);
         test.run(kills);
         return test.report();
     } catch (const std::exception& error) {

@@ -14,7 +14,10 @@
 // The promise of docs/time-loop.md: the state after any number of steps has the same bits for any
 // number of threads, any skin and across any number of restarts.
 
-namespace dem {
+namespace dem::runtime {
+
+using namespace shapegen;
+
 namespace {
 
 struct NamedScene {
@@ -232,4 +235,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

@@ -151,7 +151,7 @@ inline ParticleTemplate ring() {
 inline ParticleTemplate tetrahedron() {
     const std::vector<Vec3> corners{
         {1e-3, 1e-3, 1e-3}, {1e-3, -1e-3, -1e-3}, {-1e-3, 1e-3, -1e-3}, {-1e-3, -1e-3, 1e-3}};
-    const ConvexSolid solid = test::rounded_hull(corners, 5e-5);
+    const shapegen::ConvexSolid solid = test::rounded_hull(corners, 5e-5);
     ParticleTemplate t = sphere(1.5e-3, "tetrahedron");
     t.mass_properties = solid.mass_properties;
     t.bounding_radius = std::max(t.bounding_radius, solid.shape.bounding_radius);

@@ -16,7 +16,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 struct Sample {
@@ -93,4 +93,4 @@ TEST(MeshFuzz, FilesOfOneFormatAreNoneOfAnother) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -18,7 +18,7 @@
 //     shapegen data/profiles/peanut.profile ...the same
 //     shapegen inspect tests/golden/tablet.tpl --json > tests/golden/tablet.json
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 const std::filesystem::path folder = std::filesystem::path(DEM_SOURCE_DIR) / "tests/golden";
@@ -52,4 +52,4 @@ TEST_P(Golden, IsFoundToBeDamagedByAnyChangedByte) {
 INSTANTIATE_TEST_SUITE_P(Templates, Golden, testing::Values("tablet", "peanut"));
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

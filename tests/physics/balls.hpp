@@ -14,6 +14,9 @@
 /// Balls as bodies of every kind: what holds for spheres in closed form is asked of all.
 namespace dem::test {
 
+using namespace runtime;
+using namespace shapegen;
+
 /// A sphere as one of the kinds of bodies.
 struct KindOfBall {
     const char* name;

@@ -12,6 +12,9 @@
 // Elastic bounces of every pair of kinds at a hundredth of the critical time step
 // (docs/validation/bounces.md).
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 bool is_angular(Kind k) {

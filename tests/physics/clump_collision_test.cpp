@@ -13,6 +13,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 const Elasticity rubber{5e7, 0.29};

@@ -17,6 +17,10 @@
 
 /// What contacts do to energy, for bodies of every kind.
 namespace dem::test {
+
+using namespace runtime;
+using namespace shapegen;
+
 namespace {
 
 const Elasticity rubber{5e7, 0.3};

@@ -10,6 +10,8 @@
 /// all kinds.
 namespace dem::test {
 
+using namespace runtime;
+
 /// A contact with all that it remembers; a copy has a memory of its own.
 using Contact = std::function<PairContact(const PairState&, double dt)>;
 

@@ -12,6 +12,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 const Elasticity stuff{5e7, 0.3};

@@ -8,6 +8,9 @@
 
 namespace dem::test {
 
+using namespace runtime;
+using namespace shapegen;
+
 struct Combination {
     const char* name;
     ConvexSolid a, b;

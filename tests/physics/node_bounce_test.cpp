@@ -12,6 +12,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 /// [SR] Sec. 4 candies; the moments are those of the enclosing spheroid for any shape: energy and

@@ -11,6 +11,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 std::vector<Vec2> cylinder_outline(double radius, double height) {

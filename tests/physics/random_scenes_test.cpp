@@ -25,6 +25,10 @@
 // Mixtures of all kinds of shape, sizes up to 1:30, every wall and motion, both laws, restitution
 // 0.01 to 1, friction 0 to 3, one seed a scene (docs/reliability.md).
 namespace dem::test {
+
+using namespace runtime;
+using namespace shapegen;
+
 namespace {
 
 constexpr int kinds_per_scene = 6;
@@ -149,7 +153,7 @@ Scene random_scene(std::uint64_t seed, bool has_walls) {
     }
     add_groups(scene, region, random);
     scene.run.seed = seed;
-    scene.run.time_step_fraction = RANDOM_SCENE_DIVISOR;
+    scene.run.time_step_divisor = RANDOM_SCENE_DIVISOR;
     scene.run.overlap_limit = 0.6;  // the smallest are crushed between the largest
     return scene;
 }

@@ -12,6 +12,9 @@
 
 /// Resistance to rolling: balls of every kind that come to rest as the closed forms have it.
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 using Model = RollingResistance::Model;

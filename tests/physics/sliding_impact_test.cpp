@@ -11,6 +11,9 @@
 /// Impacts that slide from touch to parting: friction gives mu times the normal impulse, whatever
 /// dissipates, and the velocities after follow in closed form (Chung and Ooi 2011, test 5).
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 struct Impulses {

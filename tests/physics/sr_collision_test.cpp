@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 Body at_random(const SolidBody& solid, double density, Random& random) {

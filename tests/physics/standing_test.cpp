@@ -13,6 +13,10 @@
 
 /// Bodies with flat ends on slopes that friction holds: they come to rest and stay.
 namespace dem::test {
+
+using namespace runtime;
+using namespace shapegen;
+
 namespace {
 
 constexpr double density = 1200.0;

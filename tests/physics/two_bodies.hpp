@@ -6,6 +6,8 @@
 
 namespace dem::test {
 
+using namespace runtime;
+
 struct Body {
     Vec3 position = Vec3::Zero();
     Quat orientation = Quat::Identity();
@@ -16,7 +18,7 @@ struct Body {
     Vec3 torque = Vec3::Zero();
 
     Vec3 angular_velocity() const {
-        return dem::angular_velocity(orientation, angular_momentum, inverse.moments);
+        return runtime::angular_velocity(orientation, angular_momentum, inverse.moments);
     }
     double kinetic_energy() const {
         if (inverse.mass == 0.0) return 0.0;

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 double certified(const ParticleTemplate& shape, const std::string& name) {
@@ -93,4 +93,4 @@ TEST(PolygonVolume, IsIndependentOfTheClosedFormAndAgrees) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
@@ -79,4 +79,4 @@ TEST(RingTriangles, CloseAnyRings) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

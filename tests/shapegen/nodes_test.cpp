@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 SurfaceNodes nodes_of(const Profile& profile, std::uint32_t count) {
@@ -148,4 +148,4 @@ TEST(SurfaceNodes, RefuseFewerNodesThanTheEdgesNeed) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -10,6 +10,8 @@
 /// Profiles made by hand, so that these tests do not depend on the reader of profile files [m].
 namespace dem::test {
 
+using namespace shapegen;
+
 inline Profile labeled(std::vector<ProfileSegment> segments) {
     std::vector<std::string> labels;
     for (std::size_t i = 0; i < segments.size(); ++i) labels.push_back("part " + std::to_string(i));

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 TEST(Sdf, IsAccurateNearTheSurface) {
@@ -125,4 +125,4 @@ TEST(Sdf, RefusesRatiosThatAreNoPowersOfTwo) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

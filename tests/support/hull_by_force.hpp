@@ -7,6 +7,8 @@
 
 namespace dem::test {
 
+using namespace shapegen;
+
 /// Convex hull of a few points by its definition: a face is all points in a plane that has no point
 /// above it. Shares no code with shapegen's hull, needs none of its packages, and takes a time that
 /// grows with the third power of the number of points. Points on faces and edges are no use to it.

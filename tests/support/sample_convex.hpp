@@ -11,6 +11,8 @@
 
 namespace dem::test {
 
+using namespace shapegen;
+
 /// `count` random points on an ellipsoid.
 inline std::vector<Vec3> random_points(std::size_t count, const Vec3& semi_axes,
                                        std::uint64_t seed) {

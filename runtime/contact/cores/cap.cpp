@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -119,4 +119,4 @@ void list_lines(const PlacedCore& core, ConvexCap& cap) {
     for (const ConvexCap::ClippedEdge& e : cap.edges) cap.lines.push_back(clipped_line(core, e));
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

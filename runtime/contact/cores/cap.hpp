@@ -8,7 +8,7 @@
 
 /// The part of a polyhedron that can touch: what lies less than some depth behind its farthest
 /// point along a direction (docs/contact-convex.md, "Features").
-namespace dem {
+namespace dem::runtime {
 
 /// Which numbers have been met. Clearing takes no time.
 class Marks {
@@ -94,4 +94,4 @@ void list_lines(const PlacedCore& core, ConvexCap& cap);
 /// Contacts along an edge fade towards its ends over this part of the size of the body.
 inline constexpr double edge_ramp = 0.05;
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -156,4 +156,4 @@ FeaturePoint patch_centroid(const PlacedCore& i, const PlacedCore& j, const Feat
     return p;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -6,7 +6,7 @@
 /// Where the force acts by `contact = centroid` [GC] Sec. 5.2, Algorithm 4: at the centroid of the
 /// patch in which the bodies overlap, seen along the normal (docs/contact-convex.md, "The centroid
 /// rule").
-namespace dem {
+namespace dem::runtime {
 
 /// `deepest`: the nearest points of the cores, with the overlap of the rounded bodies; the same
 /// with its position moved sideways to the centroid is returned.
@@ -17,4 +17,4 @@ FeaturePoint patch_centroid(const PlacedCore& i, const PlacedCore& j, const Feat
 /// segments are polygons without area. False where they have nothing in common.
 bool common_centroid(std::vector<Vec2>& a, std::vector<Vec2>& b, Vec2& centroid);
 
-}  // namespace dem
+}  // namespace dem::runtime

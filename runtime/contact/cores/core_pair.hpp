@@ -12,7 +12,7 @@
 #include <cmath>
 
 /// From two cores to a contact: what all kernels of convex shapes share.
-namespace dem {
+namespace dem::runtime {
 
 /// The search of a pair that has not touched starts from the line of centers, whatever came before.
 inline SearchStart canonical_start(const Vec3& displacement) {
@@ -205,4 +205,4 @@ PairContact between_cores(const CoreI& i, const CoreJ& j, const ConvexRadius& ra
     return core_contact(i, j, radius, call);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -3,7 +3,7 @@
 
 #include "runtime/contact/contact_types.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// R* of a pair with a convex shape [m]: half the diameter of the sphere of equal volume for every
 /// shape but a sphere of its own. Which feature touches changes within a collision, and with it
@@ -14,4 +14,4 @@ struct ConvexRadius {
     double value() const { return 0.5 / (1.0 / diameter_i + 1.0 / diameter_j); }
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

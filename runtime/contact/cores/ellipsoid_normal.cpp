@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -100,4 +100,4 @@ EllipsoidNormal common_normal(const RoundEllipsoid& i, const RoundEllipsoid& j, 
     return {n, f, 0.5 * (x_i + x_j)};
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -4,7 +4,7 @@
 #include "common/shapes/convex_shape.hpp"
 #include "common/shapes/sphere.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// An ellipsoid, or a point, with a sphere around it: h(n) = sqrt(n.M n) + rounding.
 struct RoundEllipsoid {
@@ -39,4 +39,4 @@ double overlap_along(const RoundEllipsoid& i, const RoundEllipsoid& j, const Vec
 EllipsoidNormal common_normal(const RoundEllipsoid& i, const RoundEllipsoid& j, const Vec3& d,
                               const Vec3& start);
 
-}  // namespace dem
+}  // namespace dem::runtime

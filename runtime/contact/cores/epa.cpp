@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -134,4 +134,4 @@ Penetration ExpandingPolytope::penetration(const Face& face) const {
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -12,7 +12,7 @@
 /// needs no simplex around the origin to start from: a polytope inside the difference of the sets
 /// grows where its faces have the least signed distance from the origin, negative where the origin
 /// is still outside.
-namespace dem {
+namespace dem::runtime {
 
 struct Penetration {
     double depth = 0.0;           ///< least way that parts the sets [m]; negative: their distance
@@ -128,4 +128,4 @@ Penetration core_penetration(const CoreI& i, const CoreJ& j) {
     return parted(i, j, best, tolerance);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -102,4 +102,4 @@ FarthestPlaces farthest_places(const Ellipse& ellipse) {
     return places;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-namespace dem {
+namespace dem::runtime {
 
 /// An ellipse in the plane.
 struct Ellipse {
@@ -30,4 +30,4 @@ struct FarthestPlaces {
 /// inside the evolute. Angles are exact to 1e-12.
 FarthestPlaces farthest_places(const Ellipse& ellipse);
 
-}  // namespace dem
+}  // namespace dem::runtime

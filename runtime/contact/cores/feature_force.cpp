@@ -7,7 +7,7 @@
 #include "runtime/contact/law/torsion.hpp"
 #include "runtime/contact/law/whole_force.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -222,4 +222,4 @@ PairContact contact_force(const FeatureSum& features, double local_radius, const
     return contact;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -16,7 +16,7 @@
 ///     d = (sum s_k d_k^p)^(1/p),  w_k = s_k (d_k/d)^(p-1),  p = 16
 /// d_k overlap and s_k weight of feature k. The deepest feature is known beforehand, so that all
 /// sums are made in one pass and no feature is stored.
-namespace dem {
+namespace dem::runtime {
 
 /// Derivative of a number with respect to a motion of the pair: to velocity of i (minus that of j),
 /// to the angular velocities of i and of j.
@@ -203,4 +203,4 @@ static_assert(std::is_trivially_copyable_v<ConvexHistory>);
 PairContact contact_force(const FeatureSum& features, double local_radius, const ContactLaw& law,
                           double dt, ConvexHistory& history);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/cores/features.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -168,4 +168,4 @@ void add_polyhedra(const PlacedCore& i, const PlacedCore& j, const NearCores& ne
     if (has_lines) add_edges(scratch, near, i.rounding, j.rounding, features);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -9,7 +9,7 @@
 
 /// Which vertices, edges and rims of two cores are near each other, and how far they overlap
 /// (docs/contact-convex.md, "Features").
-namespace dem {
+namespace dem::runtime {
 
 /// Room for the features of one pair, owned by the host, one per thread. Grows to what the shapes
 /// of a run need and is allocated no more then.
@@ -108,4 +108,4 @@ Ramp end_ramp(const EdgeLine& edge, double t);
 void add_polyhedra(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
                    ConvexScratch& scratch, FeatureSum& features);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/cores/gjk.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -110,4 +110,4 @@ bool reduce(Simplex& simplex) {
     return true;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

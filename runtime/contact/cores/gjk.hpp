@@ -12,7 +12,7 @@
 /// Distance of two convex cores by the algorithm of Gilbert, Johnson and Keerthi, as the distance
 /// of the origin from the difference i - j of the two sets (docs/contact-convex.md, "Distance of
 /// cores").
-namespace dem {
+namespace dem::runtime {
 
 /// A point of the difference: a of i, b of j.
 struct SimplexPoint {
@@ -175,4 +175,4 @@ SearchStart next_start(const CoreI& i, const CoreJ& j, const CoreDistance& found
     return start;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -43,4 +43,4 @@ bool holds(const Leash& leash, const PairState& pair, double size) {
     return way < leash.room;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -3,7 +3,7 @@
 
 #include "runtime/contact/contact_types.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// Where the bodies of a pair were when something was found that stays true as long as they hardly
 /// move. All zero: nothing was found.
@@ -19,4 +19,4 @@ Leash leash_at(const PairState& pair, double room);
 /// Whether no point of j, which is of this size, has moved by more than the room [m].
 bool holds(const Leash& leash, const PairState& pair, double size);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -349,4 +349,4 @@ void add_known_feature(const PlacedCore& i, const PlacedCore& j, const LoneFeatu
     add_vertex_at(at.of_vertex, at.x, at.of_face, at.distance, sign, features);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

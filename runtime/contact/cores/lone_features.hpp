@@ -3,7 +3,7 @@
 
 #include "runtime/contact/cores/features.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// Most contacts of grains are one vertex on a face or one edge across another, far from all other
 /// features. Where what can touch of the bodies (docs/contact-convex.md, "Features") proves that to
@@ -27,4 +27,4 @@ double lone_overlap(const PlacedCore& i, const PlacedCore& j, const LoneFeature&
 void add_known_feature(const PlacedCore& i, const PlacedCore& j, const LoneFeature& lone,
                        const Vec3& normal, FeatureSum& features);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -100,4 +100,4 @@ void sharpen(const PlacedCore& i, const PlacedCore& j, Penetration& deepest) {
     }
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -5,7 +5,7 @@
 #include "runtime/contact/cores/gjk.hpp"
 #include "runtime/contact/cores/placed_core.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// The nearest points of two cores that are apart, sharpened: where a core is curved GJK knows the
 /// distance to rounding but its direction to the square root of that only. Projections from core
@@ -18,4 +18,4 @@ void sharpen(const PlacedCore& i, const PlacedCore& j, CoreDistance& found);
 /// less.
 void sharpen(const PlacedCore& i, const PlacedCore& j, Penetration& deepest);
 
-}  // namespace dem
+}  // namespace dem::runtime

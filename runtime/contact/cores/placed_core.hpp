@@ -15,7 +15,7 @@
 ///     SupportKey key(point, vertex)         and Vec3 recalled(key), if has_keys
 ///
 /// All vectors are in the world frame, relative to the center of i.
-namespace dem {
+namespace dem::runtime {
 
 struct PlacedCore {
     const ConvexShape& shape;
@@ -96,4 +96,4 @@ struct PlacedSr {
     static bool has_vertices() { return false; }
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

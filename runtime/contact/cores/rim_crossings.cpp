@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -87,4 +87,4 @@ EdgeLine RimCrossings::without_ends(const EdgeLine& line) const {
     return inner;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

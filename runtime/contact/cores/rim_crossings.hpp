@@ -5,7 +5,7 @@
 #include "runtime/contact/cores/placed_core.hpp"
 #include "runtime/contact/cores/round_features.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// Radius about the lines of a core [m]: edges are as thick as the rounding, the axis of a cylinder
 /// as its side.
@@ -58,4 +58,4 @@ class RimCrossings {
     double lying_from_ = 0.0, lying_range_ = 0.5;  ///< squared sines over which they fade in
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -340,4 +340,4 @@ void add_round(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
     add_remaining(deepest, others, features);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -3,7 +3,7 @@
 
 #include "runtime/contact/cores/features.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// The flat end of a cylinder or a cone.
 struct PlacedCap {
@@ -49,4 +49,4 @@ inline constexpr double rim_sample_weight = 0.25;
 void add_round(const PlacedCore& i, const PlacedCore& j, const NearCores& near,
                const FeaturePoint& deepest, const CoreCall& call, FeatureSum& features);
 
-}  // namespace dem
+}  // namespace dem::runtime

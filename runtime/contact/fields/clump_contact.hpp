@@ -8,7 +8,7 @@
 #include <span>
 
 /// From touching spheres to the contact points of a pair: what all kernels of clumps share.
-namespace dem {
+namespace dem::runtime {
 
 template <class Sample>
 struct TouchingSpheres {
@@ -102,4 +102,4 @@ PairContact clump_in_field(const PlacedSpheres& spheres, const Field& field, dou
                          curvature > 0.0 ? 1.0 / (1.0 / radius + curvature) : radius, call);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

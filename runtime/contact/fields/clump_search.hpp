@@ -20,7 +20,7 @@
 ///     double visit_near(margin, f)  f(k, sample) for all nearer than the margin [m], in rising
 ///                                   order; returns a lower bound of the distance of the others
 ///     double proven_gap(d)          as of a field (node_fields.hpp)
-namespace dem {
+namespace dem::runtime {
 
 /// Calls visit(k, sample) for every element that touches, in rising order.
 template <class Elements, class Visit>
@@ -182,4 +182,4 @@ struct SpheresInField {
     }
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

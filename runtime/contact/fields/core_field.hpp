@@ -4,7 +4,7 @@
 #include "common/shapes/convex_shape.hpp"
 #include "runtime/contact/fields/node_fields.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// A convex shape as a field (node_fields.hpp), exact.
 struct ConvexField : ExactField {
@@ -28,4 +28,4 @@ struct ConvexField : ExactField {
     }
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -11,7 +11,7 @@
 /// and where another face becomes the nearest its gradient turns at once. A force that keeps its
 /// direction during a step is wrong by up to itself times the way of the step when a point crosses
 /// a crease. In such a step each of the two directions acts for its part of the time.
-namespace dem {
+namespace dem::runtime {
 
 /// How the points of a body move relative to a field in one step, in the frame of that field.
 struct StepWay {
@@ -74,4 +74,4 @@ StepMean step_mean(const Field& field, const Vec3& x, const typename Field::Samp
     return {mean, 0.5 * (at_crease + part * at_start.distance + (1.0 - part) * at_end.distance)};
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -9,7 +9,7 @@
 #include <span>
 
 /// From nodes inside a field to the contact points of a pair: what all kernels by nodes share.
-namespace dem {
+namespace dem::runtime {
 
 using PatchCall = Call<PatchHistory, NearCache>;
 
@@ -126,4 +126,4 @@ inline PairContact contact_force(std::span<const ContactPoint> points, double lo
     return contact_force(points, local_radius, call.pair, call.law, call.dt, call.memory.history);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

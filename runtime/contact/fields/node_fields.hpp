@@ -26,7 +26,7 @@
 /// and, where its gradient may turn at once (crease.hpp),
 ///
 ///     bool may_turn_within(sample, way)   whether it may so near to where it was sampled [m]
-namespace dem {
+namespace dem::runtime {
 
 /// The interpolated distance field of a surface of revolution. Only the center and the axis of the
 /// other body matter ([SR] Lemma 1).
@@ -108,4 +108,4 @@ struct SphereField : ExactField {
     }
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -20,7 +20,7 @@
 ///   node that touches is in the list.
 ///
 /// Neither changes a bit of the result: each node that may touch is evaluated by the same formula.
-namespace dem {
+namespace dem::runtime {
 
 /// What a pair remembers about the nodes that touch next. All zero: nothing is known. Owned by the
 /// host; may be dropped at any time. Only valid for the two bodies it was written for, with the
@@ -160,4 +160,4 @@ void visit_touching_nodes(const SurfaceNodes& nodes, const Field& field, double 
     list.finish(others, field, travel);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

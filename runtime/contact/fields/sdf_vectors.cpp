@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -44,4 +44,4 @@ Vec2 interpolated_distance_vector(const SdfQuadtree& sdf, double r, double z) {
     return (1.0 - q) * lower + q * upper;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -4,7 +4,7 @@
 #include "common/math/types.hpp"
 #include "common/shapes/sr_shape.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// Distance vector of [SR] Sec. 2.4: bilinear interpolation of the distance vectors of the grid
 /// points of the cell that holds (r, z), inside the grid. A template stores distances only, so the
@@ -13,4 +13,4 @@ namespace dem {
 /// negative [m]. For ContactLaw::NodeNormal::vectors and ::averaged.
 Vec2 interpolated_distance_vector(const SdfQuadtree& sdf, double r, double z);
 
-}  // namespace dem
+}  // namespace dem::runtime

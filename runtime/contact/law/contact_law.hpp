@@ -10,7 +10,7 @@
 
 /// What a pair of materials says about its contacts, what a contact remembers, and the parts that
 /// the law consists of (docs/contact.md, "Force law").
-namespace dem {
+namespace dem::runtime {
 
 /// Force law of one pair of materials, with everything that does not change during a run derived.
 struct ContactLaw {
@@ -92,4 +92,4 @@ inline Vec3 moment_of_parts(const ContactLaw& law, const WholeContact& contact,
     return moment;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

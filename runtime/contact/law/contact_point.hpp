@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace dem {
+namespace dem::runtime {
 
 /// One contact point of a pair as the geometry found it.
 struct ContactPoint {
@@ -50,4 +50,4 @@ PairContact contact_force(std::span<const ContactPoint> points, double local_rad
                           const PairState& pair, const ContactLaw& law, double dt,
                           PatchHistory& history);
 
-}  // namespace dem
+}  // namespace dem::runtime

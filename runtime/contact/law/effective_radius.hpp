@@ -7,7 +7,7 @@
 #include <cmath>
 
 /// R* of a contact over its life (docs/contact.md, "Effective radius").
-namespace dem {
+namespace dem::runtime {
 
 /// How long an elastic collision of two Hertzian bodies lasts, in radians of its own oscillation:
 /// the integral of sqrt(k_n/m_e) dt is 2 pi / sqrt(5) at any speed, mass and stiffness.
@@ -74,4 +74,4 @@ inline double age(const ContactLaw& law, const Ageing& by, ContactHistory& histo
     return loss;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -4,7 +4,7 @@
 #include "runtime/contact/contact_types.hpp"
 
 /// How two bodies move at a contact, and what of their masses resists there.
-namespace dem {
+namespace dem::runtime {
 
 /// a . I^-1 a of a body for a world vector a. Bodies of revolution need only their axis.
 inline double inverse_inertia_along(const BodyState& body, const Vec3& a) {
@@ -73,4 +73,4 @@ inline PointMotion motion_at(const PairState& pair, const Vec3& lever, const Vec
     return {pair, lever, normal, overlap, velocity, -velocity.dot(normal), 0.0};
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -11,7 +11,7 @@
 /// the coefficients of all springs and dashpots of a contact (docs/contact.md, "Force law").
 ///   k_n = 4/3 Y* sqrt(R* d), gamma_n = sqrt(5) |beta| sqrt(m_e k_n), F_n = k_n d + gamma_n d'
 /// d overlap, m_e effective mass of the contact.
-namespace dem {
+namespace dem::runtime {
 
 /// Energy of a spring over force times overlap.
 inline double elastic_share(const ContactLaw& law) {
@@ -108,4 +108,4 @@ inline double friction_load(const ContactLaw& law, double elastic_part, double f
     return law.limit_force ? force : elastic_part;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -76,4 +76,4 @@ ContactLaw linear_law(double normal_stiffness, double restitution, double tangen
     return law;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -3,7 +3,7 @@
 
 #include "runtime/contact/law/contact_law.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 struct Elasticity {
     double youngs_modulus = 0.0;  ///< [Pa], > 0
@@ -28,4 +28,4 @@ ContactLaw pair_law(const Elasticity& a, const Elasticity& b, double restitution
 ContactLaw linear_law(double normal_stiffness, double restitution, double tangential_restitution,
                       const ContactLaw& options = {});
 
-}  // namespace dem
+}  // namespace dem::runtime

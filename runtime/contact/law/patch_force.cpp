@@ -14,7 +14,7 @@
 ///   f_k = w_k (k_n(d) d + gamma(d) d'_k)      from the potential of d and one dashpot per pair
 /// d_k overlap of point k, d'_k its rate, f_k its force along its own gradient. A point of negative
 /// overlap -d_k counts against the others: the sum is then with -d_k^p, and w_k < 0.
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -315,4 +315,4 @@ PairContact contact_force(std::span<const ContactPoint> points, double local_rad
     return patch_force<NormPatch>(input);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

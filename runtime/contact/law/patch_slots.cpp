@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -84,4 +84,4 @@ PatchSlots choose_slots(std::span<const ContactPoint> points, PatchHistory& hist
     return result;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Which contact points hold the slots of a history in this step, in the order of their features.
 struct PatchSlots {
@@ -21,4 +21,4 @@ struct PatchSlots {
 /// feature once.
 PatchSlots choose_slots(std::span<const ContactPoint> points, PatchHistory& history);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -3,7 +3,7 @@
 
 #include "runtime/contact/law/contact_point.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 PairContact contact_force(const ContactPoint& point, double local_radius, const PairState& pair,
                           const ContactLaw& law, double dt, PointHistory& history) {
@@ -27,4 +27,4 @@ PairContact contact_force(const ContactPoint& point, double local_radius, const 
     return contact;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

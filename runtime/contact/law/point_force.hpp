@@ -8,7 +8,7 @@
 #include "runtime/contact/law/tangential.hpp"
 #include "runtime/contact/law/whole_force.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 struct PointForce {
     double normal;    ///< > 0 repulsive [N]
@@ -57,4 +57,4 @@ inline PairContact point_contact(const PointForce& f, double overlap) {
     return contact;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

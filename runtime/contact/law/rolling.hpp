@@ -16,7 +16,7 @@
 /// inertia about the contact; R_r rolling radius, 1/(1/l_i + 1/l_j) of the levers from the centers
 /// to the contact: R* of two spheres, and of other bodies a size that does not depend on how they
 /// are curved where they touch.
-namespace dem {
+namespace dem::runtime {
 
 struct RollingResistance {
     /// Which k_r: 2.25 k_n mu_r^2 R_r^2 (their type C), which a body may swing on before it rolls;
@@ -93,4 +93,4 @@ inline Vec3 rolling_moment(const RollingResistance& law, const WholeContact& con
     return f.force;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

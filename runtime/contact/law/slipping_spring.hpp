@@ -9,7 +9,7 @@
 /// Springs with dashpots that slip, and how they are carried along with a contact
 /// (docs/contact.md, "Tangential spring", "Slip"): the way all friction is made of.
 ///   F = -k s - gamma u, |F| at most a limit; s spring, u rate at which it is stretched
-namespace dem {
+namespace dem::runtime {
 
 /// What a contact remembers of a spring.
 struct SpringHistory {
@@ -88,4 +88,4 @@ inline SpringForce slipping_force(const SlippingSpring& s, const Vec3& u, double
     return {force, elastic, dashpot + slip};
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -3,7 +3,7 @@
 
 #include "runtime/contact/law/point_force.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 enum class Partner { sphere, wall };
 
@@ -37,4 +37,4 @@ PairContact sphere_force(const SpherePoint& point, const PairState& pair, const 
     return contact;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -6,7 +6,7 @@
 
 /// Friction along the surface (docs/contact.md, "Tangential spring", "Without slip"):
 ///   F_t = -k_t s - gamma_t u_t, |F_t| <= mu times the load
-namespace dem {
+namespace dem::runtime {
 
 /// How the surfaces slide at a place, and how the contact has turned since the step before.
 struct Sliding {
@@ -59,4 +59,4 @@ inline LettingGo letting_go(double k_t, double s, double ratio, double overlap) 
             k_t * square(h) * (1.0 - 0.5 * r2)};
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -8,7 +8,7 @@
 
 /// Friction of an area against twisting about its normal (docs/contact-convex.md, "Friction"): what
 /// the tangential spring is to sliding.
-namespace dem {
+namespace dem::runtime {
 
 struct TorsionHistory {
     double twist = 0.0;            ///< relative rotation about the normal, half a step ahead [rad]
@@ -39,4 +39,4 @@ inline double torsion_moment(const SlippingSpring& s, double rate, double dt,
     return f.force.z();
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

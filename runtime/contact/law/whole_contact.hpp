@@ -3,7 +3,7 @@
 
 #include "runtime/contact/contact_types.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// A contact as a whole, as the parts of the law see it that act once per pair, however many points
 /// touch.
@@ -24,4 +24,4 @@ struct ContactEnergy {
     double dissipated = 0.0;  ///< in this step [J]
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

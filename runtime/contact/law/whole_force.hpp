@@ -4,7 +4,7 @@
 #include "runtime/contact/law/contact_law.hpp"
 #include "runtime/contact/law/effective_radius.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// The end of every contact's step, after its normal forces and its friction: the parts that act
 /// once per contact, then its history. Returns the moment on i [N m]; -moment acts on j.
@@ -17,4 +17,4 @@ inline Vec3 end_step(const ContactLaw& law, const WholeContact& contact, const A
     return moment;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

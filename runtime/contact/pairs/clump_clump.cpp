@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -59,4 +59,4 @@ PairContact collide(const Sphere& a, const Clump& b, const PatchCall& call) {
                    {b, pair.j.orientation, pair.displacement}, call);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -5,7 +5,7 @@
 #include "common/shapes/sphere.hpp"
 #include "runtime/contact/fields/node_contact.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// Two clumps, or a clump and a sphere: every pair of their spheres that overlap is a contact point
 /// in the middle of the overlap, with the sphere of i and that of j as its feature; all act
@@ -13,4 +13,4 @@ namespace dem {
 PairContact collide(const Clump& a, const Clump& b, const PatchCall& call);
 PairContact collide(const Sphere& a, const Clump& b, const PatchCall& call);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -4,7 +4,7 @@
 #include "runtime/contact/fields/clump_contact.hpp"
 #include "runtime/contact/fields/core_field.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 PairContact collide(const Clump& a, const ConvexShape& b, const PatchCall& call) {
     const PairState& pair = call.pair;
@@ -17,4 +17,4 @@ PairContact collide(const Clump& a, const ConvexShape& b, const PatchCall& call)
     return clump_in_field(spheres, field, margin, 2.0 / b.equivalent_diameter, call);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

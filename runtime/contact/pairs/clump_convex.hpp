@@ -5,10 +5,10 @@
 #include "common/shapes/convex_shape.hpp"
 #include "runtime/contact/fields/node_contact.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// A clump and a convex shape: the exact distance of the shape's surface at the centers of the
 /// spheres; all spheres that touch act together. R* is that of the deepest.
 PairContact collide(const Clump& a, const ConvexShape& b, const PatchCall& call);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -7,7 +7,7 @@
 #include "runtime/contact/smooth/sr_curvature.hpp"
 #include "runtime/contact/walls/wall_frame.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -186,4 +186,4 @@ PairContact collide(const Clump& a, const SrShape& b, const PatchCall& call) {
     return a.largest_radius <= b.sdf.margin ? by_distance(pair, call) : by_nodes(pair, call);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

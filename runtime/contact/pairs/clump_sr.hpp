@@ -4,7 +4,7 @@
 #include "common/shapes/clump.hpp"
 #include "runtime/contact/fields/node_contact.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// A clump and a surface of revolution; all contact points act together.
 ///
@@ -15,4 +15,4 @@ namespace dem {
 /// reasons. The choice depends on the two shapes only.
 PairContact collide(const Clump& a, const SrShape& b, const PatchCall& call);
 
-}  // namespace dem
+}  // namespace dem::runtime

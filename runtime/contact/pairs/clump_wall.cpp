@@ -3,7 +3,7 @@
 
 #include "runtime/contact/fields/clump_contact.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 template <AnyWall Wall>
 PairContact collide(const Clump& a, const Wall& wall, const PatchCall& call) {
@@ -22,4 +22,4 @@ PairContact collide(const Clump& a, const Wall& wall, const PatchCall& call) {
     template PairContact collide(const Clump&, const Wall&, const PatchCall&);
 DEM_FOR_EACH_WALL_SHAPE(DEM_CLUMP_AT)
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -5,7 +5,7 @@
 #include "runtime/contact/fields/node_contact.hpp"
 #include "runtime/contact/walls/wall_shapes.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// A clump against a wall: every sphere that reaches into the wall is a contact point, as a lone
 /// sphere would have it (sphere_wall.hpp); spheres whose centers lie beyond the rim of a disc or of
@@ -14,4 +14,4 @@ namespace dem {
 template <AnyWall Wall>
 PairContact collide(const Clump& a, const Wall& wall, const PatchCall& call);
 
-}  // namespace dem
+}  // namespace dem::runtime

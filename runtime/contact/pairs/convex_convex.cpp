@@ -4,7 +4,7 @@
 #include "runtime/contact/cores/core_pair.hpp"
 #include "runtime/contact/cores/ellipsoid_normal.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -53,4 +53,4 @@ PairContact collide(const Sphere& a, const ConvexShape& b, const CoreCall& call)
     return single_contact(point, {2.0 * a.radius, b.equivalent_diameter}, call);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -4,7 +4,7 @@
 #include "runtime/contact/pairs/convex_wall.hpp"
 
 // Apart from the kernels of planes and cylinders, of which the compiler would inline less.
-namespace dem {
+namespace dem::runtime {
 
 template <AnyWall Wall>
 PairContact collide(const ConvexShape& a, const Wall& wall, const CoreCall& call) {
@@ -17,4 +17,4 @@ PairContact collide(const ConvexShape& a, const Wall& wall, const CoreCall& call
     template PairContact collide(const ConvexShape&, const Wall&, const CoreCall&);
 DEM_FOR_EACH_WALL_SHAPE(DEM_CONVEX_AT)
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -14,7 +14,7 @@
 /// projection with Armijo's rule for the step), from the lowest corner on. It is one of several
 /// where a body is not small against the wall's own radii. Some ten projections make this slower
 /// than a kernel made for a shape, which planes and cylinders have (convex_wall.cpp).
-namespace dem {
+namespace dem::runtime {
 
 struct LowestPoint {
     Vec3 position;    ///< relative to the center of i [m]
@@ -135,4 +135,4 @@ PairContact convex_in_field(const ConvexShape& a, const Field& field, const Core
                          call.memory.history);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

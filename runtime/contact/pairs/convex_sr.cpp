@@ -5,7 +5,7 @@
 #include "runtime/contact/fields/core_field.hpp"
 #include "runtime/contact/smooth/sr_curvature.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 PairContact collide(const SrShape& a, const ConvexShape& b, const CoreCall& call) {
     const PairState& pair = call.pair;
@@ -33,4 +33,4 @@ PairContact collide(const SrShape& a, const ConvexShape& b, const PatchCall& cal
     return contact_force(touching.points, 1.0 / (curvature + 2.0 / b.equivalent_diameter), call);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

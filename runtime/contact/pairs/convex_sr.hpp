@@ -4,7 +4,7 @@
 #include "runtime/contact/fields/node_contact.hpp"
 #include "runtime/contact/pairs/convex_convex.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// A convex surface of revolution and a convex shape: the nearest points of the surface and of the
 /// core. A surface of revolution has no straight parts (its flat ones are crowned), so that one
@@ -15,4 +15,4 @@ PairContact collide(const SrShape& a, const ConvexShape& b, const CoreCall& call
 /// shape.
 PairContact collide(const SrShape& a, const ConvexShape& b, const PatchCall& call);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -9,7 +9,7 @@
 #include <array>
 #include <limits>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -226,4 +226,4 @@ PairContact collide(const ConvexShape& a, const CylinderWall& wall, const CoreCa
     return wall.inside ? in_tube(a, wall, call) : at_rod(a, wall, call);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

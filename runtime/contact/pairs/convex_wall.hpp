@@ -4,7 +4,7 @@
 #include "runtime/contact/pairs/convex_convex.hpp"
 #include "runtime/contact/walls/wall_shapes.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// Convex shapes against walls (wall_shapes.hpp): every near vertex and rim as a feature. The
 /// wall's curvature does not enter R*. A solid rod is a convex shape of its own.
@@ -15,4 +15,4 @@ PairContact collide(const ConvexShape& a, const CylinderWall& wall, const CoreCa
 template <AnyWall Wall>
 PairContact collide(const ConvexShape& a, const Wall& wall, const CoreCall& call);
 
-}  // namespace dem
+}  // namespace dem::runtime

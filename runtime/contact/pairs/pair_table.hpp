@@ -25,7 +25,7 @@
 
 /// Every pair of shapes that can touch: one row here, one `collide` beside it. A host makes a list
 /// of pairs for each row and calls the row's kernel for the pairs in it.
-namespace dem {
+namespace dem::runtime {
 
 /// A word as an argument of a template.
 template <std::size_t size>
@@ -221,4 +221,4 @@ inline PairContact reversed(PairContact contact) {
     return contact;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Two spheres; the contact point lies in the middle of the overlap.
 inline PairContact collide(const Sphere& a, const Sphere& b, const SphereCall& call) {
@@ -23,4 +23,4 @@ inline PairContact collide(const Sphere& a, const Sphere& b, const SphereCall& c
     return sphere_force<Partner::sphere>(point, call.pair, call.law, call.dt, call.memory.history);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

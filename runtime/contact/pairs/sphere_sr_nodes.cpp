@@ -4,7 +4,7 @@
 #include "runtime/contact/smooth/sr_curvature.hpp"
 #include "runtime/contact/walls/wall_frame.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -51,4 +51,4 @@ PairContact collide(const Sphere& a, const SrShape& b, const PatchCall& call) {
     return a.radius <= b.sdf.margin ? by_distance(a, b, call) : by_nodes(a, b, call);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

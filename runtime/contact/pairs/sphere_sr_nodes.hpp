@@ -4,7 +4,7 @@
 #include "common/shapes/sphere.hpp"
 #include "runtime/contact/fields/node_contact.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// A sphere and a surface of revolution that is not convex, or with `contact = nodes`.
 ///
@@ -16,4 +16,4 @@ namespace dem {
 /// only, so a contact never changes from one to the other.
 PairContact collide(const Sphere& a, const SrShape& b, const PatchCall& call);
 
-}  // namespace dem
+}  // namespace dem::runtime

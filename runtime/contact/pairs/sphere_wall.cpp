@@ -3,7 +3,7 @@
 
 #include "runtime/contact/law/sphere_force.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 template <AnyWall Wall>
 PairContact collide(const Sphere& a, const Wall& wall, const SphereCall& call) {
@@ -26,4 +26,4 @@ PairContact collide(const Sphere& a, const Wall& wall, const SphereCall& call) {
     template PairContact collide(const Sphere&, const Wall&, const SphereCall&);
 DEM_FOR_EACH_WALL_SHAPE(DEM_SPHERE_AT)
 
-}  // namespace dem
+}  // namespace dem::runtime

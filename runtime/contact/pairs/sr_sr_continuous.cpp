@@ -7,7 +7,7 @@
 #include "runtime/contact/smooth/smooth_contact.hpp"
 #include "runtime/contact/walls/wall_frame.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -169,4 +169,4 @@ PairContact collide(const Sphere& a, const SrShape& b, const SmoothCall& call) {
     return convex_contact(side(a, call.pair.i), side(b, call.pair.j), call);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

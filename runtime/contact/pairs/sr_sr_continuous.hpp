@@ -5,7 +5,7 @@
 #include "common/shapes/sr_shape.hpp"
 #include "runtime/contact/law/contact_law.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// Convex surfaces of revolution, and spheres against them, at the one point where they share a
 /// normal: `contact = continuous` (docs/contact.md, "Common normal"). Shapes must be convex. The
@@ -15,4 +15,4 @@ PairContact collide(const SrShape& a, const SrShape& b, const SmoothCall& call);
 
 PairContact collide(const Sphere& a, const SrShape& b, const SmoothCall& call);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -4,7 +4,7 @@
 #include "runtime/contact/smooth/sr_curvature.hpp"
 #include "runtime/contact/walls/wall_frame.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -71,4 +71,4 @@ PairContact collide(const SrShape& a, const SrShape& b, const PatchCall& call) {
     return contact_force(touching.points, radius, call);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

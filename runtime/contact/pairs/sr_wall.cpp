@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -100,4 +100,4 @@ PairContact collide(const SrShape& a, const CylinderWall& wall,
     return contact_force(patch.points(), radius, pair, law, call.dt, history);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

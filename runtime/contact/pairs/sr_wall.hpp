@@ -9,7 +9,7 @@
 
 /// Convex surfaces of revolution against walls with a kernel by support maps, exact. The wall's
 /// curvature does not enter R*.
-namespace dem {
+namespace dem::runtime {
 
 /// What the smooth kernel of a wall remembers of a contact. Walls that are not named here have no
 /// such kernel: they are touched by nodes (sr_wall_nodes.hpp).
@@ -35,4 +35,4 @@ PairContact collide(const SrShape& a, const PlaneWall& wall, const SmoothCall& c
 PairContact collide(const SrShape& a, const CylinderWall& wall,
                     const Call<PatchHistory, MissCache>& call);
 
-}  // namespace dem
+}  // namespace dem::runtime

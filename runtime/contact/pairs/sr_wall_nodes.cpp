@@ -3,7 +3,7 @@
 
 #include "runtime/contact/smooth/sr_curvature.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -45,4 +45,4 @@ PairContact collide(const SrShape& a, const Wall& wall, const PatchCall& call) {
     template PairContact collide(const SrShape&, const Wall&, const PatchCall&);
 DEM_FOR_EACH_WALL_SHAPE(DEM_NODES_AT)
 
-}  // namespace dem
+}  // namespace dem::runtime

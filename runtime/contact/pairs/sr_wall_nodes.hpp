@@ -4,7 +4,7 @@
 #include "runtime/contact/fields/node_contact.hpp"
 #include "runtime/contact/walls/wall_shapes.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// The nodes of a surface of revolution against a wall [SR] Sec. 2.4: for non-convex shapes, for
 /// walls without a smooth kernel (sr_wall.hpp) and for `contact = nodes`. Nodes beyond the rim of a
@@ -12,4 +12,4 @@ namespace dem {
 template <AnyWall Wall>
 PairContact collide(const SrShape& a, const Wall& wall, const PatchCall& call);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -10,7 +10,7 @@
 #include <limits>
 #include <variant>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -100,4 +100,4 @@ double extent(const ParticleTemplate& shape, const Quat& orientation, const Vec3
                       shape.shape);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

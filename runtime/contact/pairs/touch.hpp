@@ -7,7 +7,7 @@
 
 /// Questions about resting geometry, answered by the same kernels that compute forces. For
 /// insertion and measures; not for the time loop.
-namespace dem {
+namespace dem::runtime {
 
 /// Whether the two bodies overlap. Only displacement and orientations of `pair` are used.
 bool touches(const ParticleTemplate& a, const ParticleTemplate& b, const PairState& pair);
@@ -18,4 +18,4 @@ bool touches(const ParticleTemplate& a, const WallShape& wall, const PairState& 
 /// for others the largest over their nodes.
 double extent(const ParticleTemplate& shape, const Quat& orientation, const Vec3& direction);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -12,7 +12,7 @@
 /// of the shapes with kinks between them that crowned faces round off over 4e-4 rad
 /// (docs/contact.md, "Common normal"). Newton on the unit sphere; where a step runs across a kink,
 /// the line search jumps to where the tangents of both sides meet.
-namespace dem {
+namespace dem::runtime {
 
 /// f at a direction with the gradient and all that the second derivative needs.
 struct NormalProbe {
@@ -220,4 +220,4 @@ FollowedNormal followed_normal(const SupportI& support_i, const SupportJ& suppor
     return {result_of(p, d), p};
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -84,4 +84,4 @@ void NormalStarts::add_tip(const SrSupport& body, const Vec3& m, double sign,
     }
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Directions n from i to j from which a descent of f (common_normal.hpp) leads to the minima
 /// beside a known one.
@@ -35,4 +35,4 @@ class NormalStarts {
     std::size_t count_ = 0;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Directions across a cylinder's axis are unit vectors in the plane, so that nothing here takes a
 /// sine of an angle: each evaluation would cost twice as much.
@@ -124,4 +124,4 @@ class PlanarOutline {
     double tilt_ = 0.0;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

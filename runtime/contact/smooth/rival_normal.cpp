@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::optional<NormalProbe> rival_normal(const NormalProbe& p, const SrSupport& i
     return lowest;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -10,7 +10,7 @@
 /// may be left over either of the faces that meet in it. As the bodies move another one becomes
 /// the least, and the one that was it may vanish while f there is far from the least: whoever
 /// followed one minimum would lose energy (docs/contact.md, "Several minima").
-namespace dem {
+namespace dem::runtime {
 
 /// Radius of a ball that fits into a body and touches its surface at a support point, and at those
 /// half of the room away: a lower bound [m].
@@ -35,4 +35,4 @@ inline bool is_least(const NormalProbe& p, const SrSupport& i, const SrSupport& 
 std::optional<NormalProbe> rival_normal(const NormalProbe& p, const SrSupport& i,
                                         const SrSupport& j, const Vec3& d, double highest);
 
-}  // namespace dem
+}  // namespace dem::runtime

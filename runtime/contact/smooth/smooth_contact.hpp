@@ -5,7 +5,7 @@
 #include "runtime/contact/law/effective_radius.hpp"
 #include "runtime/contact/smooth/support_sample.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// R* where two convex bodies touch (docs/contact.md, "Effective radius") [m]. `d_eq`: diameters of
 /// the spheres of equal volume.
@@ -24,4 +24,4 @@ inline double contact_radius(const ContactLaw& law, const SupportSample& i, doub
                                                                  : mean_curvature_radius(i, d_eq_i);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -72,4 +72,4 @@ double mean_curvature_near(const SrShape& shape, double r, double z, double n_r,
     return 0.5 * (kappa_1 + kappa_2);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Mean curvature H of the surface [1/m] next to the point (r, z) of the half plane at which the
 /// outward direction is (n_r, n_z), n_r >= 0, of any length > 0. A convex shape answers from its
@@ -18,4 +18,4 @@ inline double contact_curvature(double mean_curvature, double equivalent_diamete
     return std::clamp(mean_curvature, 0.2 / equivalent_diameter, 100.0 / equivalent_diameter);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem {
+namespace dem::runtime {
 
 namespace {
 
@@ -152,4 +152,4 @@ WallTouch touch_rod(const SrShape& a, const SrSupport& support, const CylinderWa
     return touch;
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

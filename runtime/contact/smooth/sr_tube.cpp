@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace dem {
+namespace dem::runtime {
 
 void WallTouch::add(const Vec3& x, const Vec3& n, double overlap, const SupportSample& support) {
     const bool is_deepest =
@@ -274,4 +274,4 @@ void give_features(WallTouch& touch, const PatchHistory& history) {
               [](const ContactPoint& a, const ContactPoint& b) { return a.feature < b.feature; });
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

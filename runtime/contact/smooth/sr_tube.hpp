@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace dem {
+namespace dem::runtime {
 
 /// Where a convex body touches a cylinder wall.
 struct WallTouch {
@@ -43,4 +43,4 @@ WallTouch touch_inside(const SrShape& a, const SrSupport& support, const Cylinde
 /// Leaves the points in the order of their numbers.
 void give_features(WallTouch& touch, const PatchHistory& history);
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -12,7 +12,7 @@
 /// (docs/contact.md, "Common normal"). For a unit direction n the support point x maximizes n.x and
 /// h = n.x; the tangential part of x is the gradient of h on the unit sphere, the radii of
 /// curvature at x its second derivative.
-namespace dem {
+namespace dem::runtime {
 
 struct SupportSample {
     double h;           ///< [m]
@@ -115,4 +115,4 @@ inline double mean_curvature_radius(const SupportSample& s, double equivalent_di
     return std::clamp(radius, 0.01 * equivalent_diameter, 5.0 * equivalent_diameter);
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

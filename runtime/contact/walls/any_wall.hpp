@@ -12,7 +12,7 @@
 /// The questions that a wall shape answers: everything that asks walls is written on these, so that
 /// a new shape is one file in this folder and its name in wall_shapes.hpp (docs/architecture.md,
 /// "How to add a wall shape"). A shape is a plain struct of sizes in the wall's own frame.
-namespace dem {
+namespace dem::runtime {
 
 /// A cylinder about the wall's axis around the part of the wall that has ends; a plane or a side
 /// without end adds its origin only.
@@ -54,4 +54,4 @@ concept AnyWall = requires(const Wall& wall, const WallFrame& frame, const Quat&
     { wall.surface_turn(orientation, orientation) } -> std::same_as<double>;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -3,7 +3,7 @@
 
 #include "runtime/contact/walls/any_wall.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// The side of a cylinder about the wall's z axis from z = 0 to z = length (infinite: both ways
 /// without end). `inside`: bodies are kept within; otherwise the cylinder is a solid rod with flat
@@ -103,4 +103,4 @@ auto CylinderWall::with_field(const WallFrame& frame, double slack, const Use& u
     return inside ? use(TubeField{{slack}, frame, *this}) : use(RodField{{slack}, frame, *this});
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

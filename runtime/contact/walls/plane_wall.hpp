@@ -3,7 +3,7 @@
 
 #include "runtime/contact/walls/any_wall.hpp"
 
-namespace dem {
+namespace dem::runtime {
 
 /// The half space z < 0; the wall's origin lies on the plane. With a finite radius only the disc of
 /// that radius about the origin acts, and only on bodies whose center is in front of it.
@@ -58,4 +58,4 @@ auto PlaneWall::with_field(const WallFrame& frame, double slack, const Use& use)
     return use(PlaneField{{slack}, frame, *this});
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -8,7 +8,7 @@
 
 /// A wall as a field of distances, placed in the frame of who asks. Beside what every field offers
 /// (fields/node_fields.hpp) a wall says where it acts: a surface may be cut off at a rim.
-namespace dem {
+namespace dem::runtime {
 
 /// What the fields whose distance is exact have in common, and the answers of a surface that is cut
 /// off nowhere.
@@ -42,4 +42,4 @@ concept WallField = requires(const Field& field, const Vec3& x,
     { field.proven_gap(1.0) } -> std::same_as<double>;
 };
 
-}  // namespace dem
+}  // namespace dem::runtime

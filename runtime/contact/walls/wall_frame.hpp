@@ -9,7 +9,7 @@
 
 /// Where a wall is. The shapes of walls are bodies of revolution about z so far, so that an origin
 /// and an axis say it all; one that is not would add its x axis here.
-namespace dem {
+namespace dem::runtime {
 
 /// A point relative to a wall's origin, in cylinder coordinates about the wall's z axis.
 struct AxialPoint {
@@ -41,4 +41,4 @@ inline double axis_tilt(const Quat& before, const Quat& after) {
     return 2.0 * math::asin(std::min(1.0, 0.5 * (axis_after - axis_before).norm()));
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

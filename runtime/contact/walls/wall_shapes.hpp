@@ -9,7 +9,7 @@
 /// All shapes of walls, as the contact kernels see them, each in its own frame. A `box` of the case
 /// file is six planes, a cylinder's ends are discs: each flat or curved face is a contact partner
 /// of its own.
-namespace dem {
+namespace dem::runtime {
 
 using WallShape = std::variant<PlaneWall, CylinderWall>;
 
@@ -23,4 +23,4 @@ template <AnyWall... Wall>
 inline constexpr bool are_all_walls<std::variant<Wall...>> = true;
 static_assert(are_all_walls<WallShape>, "a wall shape leaves a question open (any_wall.hpp)");
 
-}  // namespace dem
+}  // namespace dem::runtime

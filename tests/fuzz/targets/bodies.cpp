@@ -6,6 +6,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::byte* data, std::size_t size) {
     using namespace dem;
+    using namespace dem::runtime;
     static const std::array<std::string, 1> places = {"x.csv:"};
     fuzz::accepts(places, [&] {
         const auto rows = parse_body_table(fuzz::as_text({data, size}), "x.csv");

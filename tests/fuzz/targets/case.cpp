@@ -12,6 +12,9 @@
 #include <array>
 
 namespace dem::fuzz {
+
+using namespace runtime;
+
 namespace {
 
 std::string make_folder() {
@@ -71,6 +74,7 @@ void look_at(const Scene& scene) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::byte* data, std::size_t size) {
     using namespace dem;
+    using namespace dem::runtime;
     static const std::string folder = fuzz::make_folder();
     static const std::array<std::string, 2> places = {folder + "/", "--set"};
     const std::string_view text = fuzz::as_text({data, size});

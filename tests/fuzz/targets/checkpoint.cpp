@@ -13,6 +13,9 @@
 #include <iterator>
 
 namespace dem::fuzz {
+
+using namespace runtime;
+
 namespace {
 
 constexpr double time_step = 1e-6;  // [s]
@@ -97,6 +100,7 @@ void go_on(Simulation& simulation) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::byte* data, std::size_t size) {
     using namespace dem;
+    using namespace dem::runtime;
     static const std::string path = fuzz::scratch_folder() + "/checkpoint.h5";
     static const std::array<std::string, 2> places = {path, "checkpoint.h5"};
     static const Checkpoint sound = fuzz::sound_checkpoint();

@@ -6,6 +6,9 @@
 #include <array>
 
 namespace dem::fuzz {
+
+using namespace shapegen;
+
 namespace {
 
 void look_at(const ConvexFile& file) {
@@ -37,6 +40,7 @@ void look_at(const ConvexFile& file) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::byte* data, std::size_t size) {
     using namespace dem;
+    using namespace dem::shapegen;
     static const std::array<std::string, 1> places = {"x.convex:"};
     const std::string_view text = fuzz::as_text({data, size});
     fuzz::accepts(places, [&] { fuzz::look_at(parse_convex(text, "x.convex")); });

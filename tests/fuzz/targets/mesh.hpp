@@ -8,6 +8,8 @@
 
 namespace dem::fuzz {
 
+using namespace shapegen;
+
 using ReadMesh = PolygonSoup (*)(Bytes, const std::string&);
 
 /// Reads a whole mesh file and looks at all that it holds. Whether the bytes were accepted.

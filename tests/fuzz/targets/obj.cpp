@@ -3,6 +3,6 @@
 #include "tests/fuzz/targets/mesh.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::byte* data, std::size_t size) {
-    dem::fuzz::reads_mesh(dem::read_obj, {data, size});
+    dem::fuzz::reads_mesh(dem::shapegen::read_obj, {data, size});
     return 0;
 }

@@ -5,6 +5,9 @@
 #include <array>
 
 namespace dem::fuzz {
+
+using namespace shapegen;
+
 namespace {
 
 void look_at(const ProfileFile& file) {

@@ -11,6 +11,9 @@
 #include <array>
 
 namespace dem::fuzz {
+
+using namespace shapegen;
+
 namespace {
 
 template <class T>
@@ -79,6 +82,7 @@ bool reads_template(Bytes bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::byte* data, std::size_t size) {
     using namespace dem;
+    using namespace dem::shapegen;
     const fuzz::Bytes bytes(data, size);
     fuzz::reads_template(bytes);
     fuzz::reads_template(sample::sealed(bytes.subspan(std::min(size, template_header_size))).bytes);
@@ -94,6 +98,7 @@ extern "C" std::size_t LLVMFuzzerMutate(std::byte* data, std::size_t size, std::
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::byte* data, std::size_t size, std::size_t most,
                                                unsigned seed) {
     using namespace dem;
+    using namespace dem::shapegen;
     if (size < template_header_size || seed % 1000 == 0) {
         TemplateFile file = sample::file();
         std::swap(file.shapes[0], file.shapes[seed / 1000 % file.shapes.size()]);

@@ -12,6 +12,8 @@
 
 namespace dem::test {
 
+using namespace runtime;
+
 namespace {
 
 constexpr double density = 1000.0;      // [kg/m^3]

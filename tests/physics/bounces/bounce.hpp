@@ -12,6 +12,8 @@
 
 namespace dem::test {
 
+using namespace runtime;
+
 /// Which bounces to throw.
 struct BounceSettings {
     Kind i = Kind::sphere, j = Kind::sphere;  ///< walls second

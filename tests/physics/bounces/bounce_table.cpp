@@ -9,6 +9,8 @@
 
 namespace dem::test {
 
+using namespace runtime;
+
 namespace {
 
 void add(const Bounce& b, BounceSummary& summary) {

@@ -8,6 +8,8 @@
 
 namespace dem::test {
 
+using namespace runtime;
+
 /// What many bounces of one pair of kinds did.
 struct BounceSummary {
     std::uint64_t count = 0;  ///< that touched, not too deep

@@ -15,6 +15,9 @@
 // the other is a wall. Without --divisor the time step is the default one.
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 [[noreturn]] void usage() {
@@ -47,7 +50,7 @@ int main(int argc, char** argv) {
         } else if (word == "--first" && k + 1 < argc) {
             first = std::strtoull(argv[++k], nullptr, 10);
         } else if (word == "--linear") {
-            settings.model = dem::ContactLaw::Model::linear;
+            settings.model = dem::runtime::ContactLaw::Model::linear;
         } else if (word == "--pair" && k + 2 < argc) {
             settings.i = kind_of(argv[++k]);
             settings.j = kind_of(argv[++k]);

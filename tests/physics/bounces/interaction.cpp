@@ -7,6 +7,8 @@
 
 namespace dem::test {
 
+using namespace runtime;
+
 namespace {
 
 std::size_t points_of(const ParticleTemplate& shape) {
@@ -30,9 +32,10 @@ class KernelOf : public Interaction {
                         double travel) override {
         const Memory memory{history_, cache_};
         const Scratch room{&points_, &features_};
-        if (!is_reversed_) return dem::collide(a_, b_, Call{pair, law, dt, memory, travel, room});
+        if (!is_reversed_)
+            return runtime::collide(a_, b_, Call{pair, law, dt, memory, travel, room});
         const PairState back = reversed(pair);
-        return reversed(dem::collide(a_, b_, Call{back, law, dt, memory, travel, room}));
+        return reversed(runtime::collide(a_, b_, Call{back, law, dt, memory, travel, room}));
     }
     double gap([[maybe_unused]] double travel) const override {
         if constexpr (std::is_same_v<Cache, MissCache>) return cache_.gap;

@@ -7,6 +7,8 @@
 
 namespace dem::test {
 
+using namespace runtime;
+
 /// The kernel that the time loop takes for two shapes, with what a host keeps for one pair.
 class Interaction {
   public:

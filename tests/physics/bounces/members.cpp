@@ -11,6 +11,8 @@
 
 namespace dem::test {
 
+using namespace runtime;
+
 namespace {
 
 double log_uniform(Random& random, double low, double high) {

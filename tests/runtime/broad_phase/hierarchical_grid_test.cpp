@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 std::vector<IdPair> by_comparing_all(const std::vector<Aabb>& boxes) {
@@ -82,4 +82,4 @@ TEST(HierarchicalGrid, GivesTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

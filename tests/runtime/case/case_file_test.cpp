@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 constexpr const char* small_case =
@@ -148,4 +148,4 @@ TEST(CaseFile, RandomDamageGivesACaseOrAnError) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

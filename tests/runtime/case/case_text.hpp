@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace dem {
+namespace dem::runtime {
 
 /// A complete case of spheres in a vessel; the sections of `more` come after it.
 inline std::string sphere_case(const std::string& more = "") {
@@ -56,4 +56,4 @@ std::string case_message(const std::string& text, const Overrides&... overrides)
     return "fine";
 }
 
-}  // namespace dem
+}  // namespace dem::runtime

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 std::string text_of(const std::string& file) {
@@ -21,4 +21,4 @@ TEST(CaseDocumentation, TheTablesAreThoseOfTheProgram) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

@@ -17,7 +17,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 TEST(ReadScene, ASmallCaseBecomesTheSceneItDescribes) {
@@ -388,4 +388,4 @@ TEST(CaseLines, ChangeWithWhatMovesBodiesAndWithNothingElse) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 /// The message of reading `lines` as one section of the given name, or "fine".
@@ -178,4 +178,4 @@ TEST(Keys, EveryDefaultIsAValidValueAndEveryConditionIsAChoice) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

@@ -10,6 +10,8 @@
 
 namespace dem::test {
 
+using namespace runtime;
+
 namespace {
 
 constexpr double crown = 2e-4;  // half-angle of crowned flats [rad]

@@ -10,6 +10,8 @@
 /// continuous kernels read, nothing else (no distance field, no nodes).
 namespace dem::test {
 
+using namespace runtime;
+
 struct SolidBody {
     SrShape shape;
     double volume = 0.0;            ///< [m^3]

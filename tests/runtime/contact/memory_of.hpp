@@ -5,6 +5,8 @@
 
 namespace dem::test {
 
+using namespace runtime;
+
 /// Memory of a pair that has a history and no cache.
 inline Memory<PointHistory, NoCache> memory_of(PointHistory& history) {
     static NoCache none;

@@ -10,6 +10,7 @@
 #include <numeric>
 
 namespace dem::test {
+
 namespace {
 
 /// A polyline with exact distances to it.

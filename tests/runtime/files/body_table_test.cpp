@@ -10,7 +10,7 @@
 #include <bit>
 #include <charconv>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 using BodyTable = TemporaryFolder;
@@ -127,4 +127,4 @@ TEST(NumberText, EveryDoubleReadsBackAndWholeNumbersStayReadable) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

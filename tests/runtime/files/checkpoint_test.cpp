@@ -8,7 +8,7 @@
 
 #include <sys/resource.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 class CheckpointFile : public TemporaryFolder {
@@ -92,4 +92,4 @@ TEST_F(CheckpointFile, AFullDiskKeepsTheOneBefore) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

@@ -15,7 +15,7 @@
 #include <sys/file.h>
 #include <sys/resource.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 /// Random states of `count` particles and the frame that shows them.
@@ -272,4 +272,4 @@ TEST_F(Frames, SurfacesThatWereDamagedAreNotTakenUp) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

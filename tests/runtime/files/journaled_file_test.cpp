@@ -20,7 +20,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 using Bytes = std::string;
@@ -59,29 +59,30 @@ void note(Call::Kind kind, int descriptor, std::size_t offset, Bytes bytes) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime
 
 std::uint64_t dem::boot_id() {
-    return boot;
+    return dem::runtime::boot;
 }
 
 extern "C" {
 ssize_t pwrite(int descriptor, const void* bytes, size_t count, off_t offset) {
-    dem::note(dem::Call::Kind::write, descriptor, static_cast<std::size_t>(offset),
-              {static_cast<const char*>(bytes), count});
+    dem::runtime::note(dem::runtime::Call::Kind::write, descriptor,
+                       static_cast<std::size_t>(offset), {static_cast<const char*>(bytes), count});
     return syscall(SYS_pwrite64, descriptor, bytes, count, offset);
 }
 int ftruncate(int descriptor, off_t size) noexcept {
-    dem::note(dem::Call::Kind::cut, descriptor, static_cast<std::size_t>(size), {});
+    dem::runtime::note(dem::runtime::Call::Kind::cut, descriptor, static_cast<std::size_t>(size),
+                       {});
     return static_cast<int>(syscall(SYS_ftruncate, descriptor, size));
 }
 int fsync(int descriptor) {
-    dem::note(dem::Call::Kind::sync, descriptor, 0, {});
+    dem::runtime::note(dem::runtime::Call::Kind::sync, descriptor, 0, {});
     return 0;
 }
 }
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 std::span<const std::byte> bytes_of(const Bytes& text) {
@@ -319,4 +320,4 @@ TEST_F(Journaled, AFileThatWasReplacedMeanwhileIsAnError) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 using RunOutput = TemporaryFolder;
@@ -48,4 +48,4 @@ TEST_F(RunOutput, TheSummaryIsReadableJsonWhateverTheNumbersAre) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

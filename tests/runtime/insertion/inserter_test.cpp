@@ -16,7 +16,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 Particles inserted(const Scene& scene, double time = 0.0) {
@@ -354,4 +354,4 @@ TEST_F(InsertFile, ARowThatOverlapsIsNamed) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

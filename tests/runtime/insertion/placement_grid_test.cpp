@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 // Radii over three decades, negative coordinates, cells far from the origin.
@@ -43,4 +43,4 @@ TEST(PlacementGrid, FindsExactlyTheSpheresThatOverlap) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 const Vec3 asymmetric = Vec3(1.0, 2.0, 3.5).cwiseInverse();
@@ -105,4 +105,4 @@ TEST(FreeTop, NoSurfacePointIsFasterThanTheBound) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

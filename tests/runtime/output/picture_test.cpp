@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 /// A unit octahedron split until it is a sphere of radius 1 mm for the eye.
@@ -116,4 +116,4 @@ TEST(Picture, APngHoldsItsSizeAndEndsWithItsTrailer) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

@@ -10,7 +10,10 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
+
+using namespace shapegen;
+
 namespace {
 
 constexpr double edge = 9e-3;
@@ -55,4 +58,4 @@ TEST(CuboidStack, OfTenComesToRestAndStands) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

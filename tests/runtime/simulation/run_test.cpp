@@ -18,7 +18,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 class Run : public TemporaryFolder {
@@ -412,4 +412,4 @@ TEST_F(Run, KeepsOthersOutOfItsFolder) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

@@ -14,6 +14,8 @@
 
 namespace dem::scenes {
 
+using namespace runtime;
+
 namespace {
 
 // Volume and moments per density by summing rings of the cross-section that the distance field

@@ -9,6 +9,9 @@
 /// Scenes built in code for tests and benchmarks.
 namespace dem::scenes {
 
+using namespace runtime;
+using namespace shapegen;
+
 ParticleTemplate sphere(double radius);
 /// The candy of [SR] Sec. 4 and a waisted, non-convex body, with nodes; the candy with a support
 /// map, too.

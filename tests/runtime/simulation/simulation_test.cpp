@@ -16,7 +16,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 constexpr double radius = 5e-3;
@@ -353,4 +353,4 @@ TEST(TimeStep, MustFitTheRun) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

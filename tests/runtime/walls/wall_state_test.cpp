@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 Wall moving_wall(WallMotion::Kind kind) {
@@ -52,4 +52,4 @@ INSTANTIATE_TEST_SUITE_P(Motions, MovingWall,
                                          WallMotion::Kind::rotate, WallMotion::Kind::oscillate));
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 TEST(TemplateSummary, TheJsonHoldsEveryShapeWithItsNumbersUnrounded) {
@@ -57,4 +57,4 @@ TEST(TemplateSummary, TheTextShowsEveryShapeOfASmallFileAndTheRangeOfALibrary) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 TriangleMesh ellipsoid() {
@@ -87,4 +87,4 @@ TEST(BuildClump, SaysTheCeilingOfWhatCannotBeReached) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 TEST(MaximalBall, OfABoxTouchesBothFaces) {
@@ -195,4 +195,4 @@ TEST(MassBalance, AllowsTheErrorItNeeds) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

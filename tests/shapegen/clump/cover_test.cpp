@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 VoxelImage cube_cells() {
@@ -120,4 +120,4 @@ TEST(Cover, TakesOutBallsThatOthersCover) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,6 +8,8 @@
 
 namespace dem::test {
 
+using namespace shapegen;
+
 /// Balls with centers in the cube [-1, 1]^3 and radii from 0.1 to 0.6.
 inline std::vector<Ball> random_balls(std::size_t count, std::uint64_t seed) {
     Random random(seed, 0);

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 double voxels_per_diameter(std::vector<const char*> options) {
@@ -29,4 +29,4 @@ TEST(ClumpResolution, IsWhatTheUserGives) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -138,4 +138,4 @@ TEST(OptionTable, EveryOptionIsRefusedWithoutWhatItNeedsAndWithWhatItExcludes) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 ConvexSolid parse(const std::string& text, const std::optional<Rounding>& rounding = {}) {
@@ -297,4 +297,4 @@ TEST(ConvexFile, PointsThatSpanNoSolidAreRefused) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

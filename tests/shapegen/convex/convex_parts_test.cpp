@@ -11,6 +11,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace shapegen;
+
 namespace {
 
 TEST(FewerVertices, TheErrorIsTheDistanceOfTheFarthestVertexLeftOut) {

@@ -13,6 +13,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace shapegen;
+
 namespace {
 
 double volume(const ConvexPolyhedron& solid) {

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using Kind = GranularOptions::Kind;
@@ -174,4 +174,4 @@ TEST(Granular, ARoundingThatNoGrainHasRoomForIsRefused) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

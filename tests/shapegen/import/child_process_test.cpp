@@ -12,7 +12,7 @@
 
 #include <unistd.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 constexpr ChildLimits limits{1, std::size_t{1} << 28U};
@@ -64,4 +64,4 @@ TEST(ChildProcess, MemoryHasALimit) {
 #endif
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 class LoadMesh : public TemporaryFolder {
@@ -273,4 +273,4 @@ TEST_F(LoadMesh, ProgressRisesToItsEnd) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

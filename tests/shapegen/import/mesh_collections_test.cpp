@@ -13,7 +13,7 @@
 // one clear line. The outcome is written to mesh-collections.md in the build folder, which is what
 // docs/mesh-collections.md holds.
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +98,4 @@ TEST(MeshCollections, BunnyHasFiveHoles) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

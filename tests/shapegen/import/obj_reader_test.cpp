@@ -3,7 +3,7 @@
 
 #include "tests/shapegen/import/reading.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -89,4 +89,4 @@ TEST(ObjReader, WhatIsNotOBJIsRefusedWithItsLine) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -3,7 +3,7 @@
 
 #include "tests/shapegen/import/reading.hpp"
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 const std::string body = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n4 0 1 2 3\n";
@@ -48,4 +48,4 @@ TEST(OffReader, WhatItDoesNotHoldIsRefusedWithItsLine) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 std::string header(const std::string& format, const std::string& elements) {
@@ -149,4 +149,4 @@ TEST(PlyReader, WhatItDoesNotHoldIsRefusedWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

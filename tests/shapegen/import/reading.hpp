@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 
 using ReadMesh = PolygonSoup (*)(std::span<const std::byte>, const std::string&);
 
@@ -56,4 +56,4 @@ inline std::string bytes_of(const auto& value) {
     return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 const std::string triangle =
@@ -116,4 +116,4 @@ TEST(StlReader, ACornerThatIsNoNumberIsRefusedWithItsByte) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -11,6 +11,8 @@
 /// Closed, outward meshes for tests.
 namespace dem::sample {
 
+using namespace shapegen;
+
 /// The box from `lower` to `upper`, 12 triangles.
 inline TriangleMesh box(const Vec3& lower, const Vec3& upper) {
     TriangleMesh mesh;

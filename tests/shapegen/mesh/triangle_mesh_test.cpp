@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 Mat3 inertia_in_input_frame(const MassProperties& m) {
@@ -106,4 +106,4 @@ TEST(TriangleMesh, MeanSquaredSurfaceDistanceOfACube) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

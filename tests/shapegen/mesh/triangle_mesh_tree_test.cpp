@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// Distance to a triangle by projection onto its plane in a local frame and onto its edges, with
@@ -143,4 +143,4 @@ TEST(TriangleMeshTree, MeshWithoutTrianglesIsRefused) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 Profile parse(const std::string& text) {
@@ -278,4 +278,4 @@ TEST(ProfileFileErrors, RefuseFilesThatAreNoProfiles) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 std::vector<Vec2> dense_points(const Profile& profile, int per_segment) {
@@ -233,4 +233,4 @@ TEST(Profile, TensOfThousandsOfPointsAreNoBurden) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

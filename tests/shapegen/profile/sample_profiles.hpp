@@ -14,6 +14,8 @@
 /// kind.
 namespace dem::sample {
 
+using namespace shapegen;
+
 inline Profile make(std::vector<ProfileSegment> segments) {
     std::vector<std::string> labels;
     for (std::size_t i = 0; i < segments.size(); ++i)

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// Every edge belongs to two triangles that pass it in opposite directions.
 inline bool is_closed_and_oriented(const TriangleMesh& mesh) {
@@ -21,4 +21,4 @@ inline bool is_closed_and_oriented(const TriangleMesh& mesh) {
     });
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

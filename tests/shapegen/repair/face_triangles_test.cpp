@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using Outline = std::vector<Vec3>;
@@ -170,4 +170,4 @@ TEST(FaceTriangles, RandomStarShapedFacesAreFilled) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

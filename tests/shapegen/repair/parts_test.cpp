@@ -11,7 +11,7 @@
 
 // Parts of one file that touch, cross or hold each other.
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 TriangleMesh cube(const Vec3& lower, double size = 1.0) {
@@ -151,4 +151,4 @@ TEST(Parts, ManyThatCrossAtRandomHaveTheVolumeOfSamples) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

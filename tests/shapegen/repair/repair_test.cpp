@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 const Finding* find(const RepairReport& report, const std::string& what) {
@@ -317,4 +317,4 @@ TEST(Repair, RandomDamageGivesASurfaceOrARefusal) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

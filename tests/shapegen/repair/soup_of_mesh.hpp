@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace dem {
+namespace dem::shapegen {
 
 /// As OBJ, PLY and OFF hold a mesh: triangles that share corners.
 inline TriangleSoup soup_of(const TriangleMesh& mesh) {
@@ -24,4 +24,4 @@ inline TriangleSoup apart(const TriangleMesh& mesh) {
     return soup;
 }
 
-}  // namespace dem
+}  // namespace dem::shapegen

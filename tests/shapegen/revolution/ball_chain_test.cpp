@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 using test::labeled;
@@ -62,4 +62,4 @@ TEST(BallChain, OtherBodiesHaveNone) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 TEST(Convexity, TellsConvexFromDimpledShapes) {
@@ -37,4 +37,4 @@ TEST(Convexity, ACassiniOvalIsConvexFromSqrtTwoOn) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

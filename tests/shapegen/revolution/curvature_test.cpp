@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 double diameter(const Profile& profile) {
@@ -94,4 +94,4 @@ TEST(Curvature, EdgesAreClamped) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

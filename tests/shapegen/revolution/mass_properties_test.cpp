@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 void expect_relative(double value, double expected, double tolerance) {
@@ -111,4 +111,4 @@ TEST(RevolutionMass, DoesNotDependOnWhereTheBodyStands) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 std::vector<std::pair<std::string, Profile>> convex_shapes() {
@@ -177,4 +177,4 @@ TEST(SupportMap, ADiscStandsOnACrown) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// The solid angle of the surface seen from p over 4 pi: 1 inside, 0 outside (van Oosterom and
@@ -100,4 +100,4 @@ TEST(SurfaceQuery, OverlappingShellsAreAUnion) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// The critical cliques of some kind whose blocks begin in brick i.
@@ -205,4 +205,4 @@ TEST(CriticalCliques, WithAKeptVoxelAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// Sizes around multiples of 4 and 64, where bricks and words end.
@@ -52,4 +52,4 @@ TEST(Neighborhoods, HoldTheVoxelsOneStepAway) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -7,6 +7,8 @@
 
 namespace dem::test {
 
+using namespace shapegen;
+
 namespace {
 
 constexpr std::uint32_t center = 1U << 13;

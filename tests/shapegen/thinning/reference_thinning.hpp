@@ -9,6 +9,8 @@
 
 namespace dem::test {
 
+using namespace shapegen;
+
 /// The 26 neighbors of a voxel, bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1) each; bit 13 is zero.
 using Neighbors = std::uint32_t;
 

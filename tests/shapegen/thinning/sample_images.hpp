@@ -8,6 +8,8 @@
 
 namespace dem::test {
 
+using namespace shapegen;
+
 /// Voxels 0 .. size - 1 along each axis for which belongs(i, j, k) holds, moved in by the border.
 template <class Belongs>
 VoxelImage image_of(std::array<int, 3> size, Belongs belongs) {

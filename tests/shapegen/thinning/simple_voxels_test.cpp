@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// A neighborhood's number without the voxel in its middle.
@@ -70,4 +70,4 @@ TEST(SimpleVoxels, DoNotDependOnTheVoxelItself) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 constexpr std::array kinds{Skeleton::surface, Skeleton::curve, Skeleton::ultimate};
@@ -156,4 +156,4 @@ TEST(Thin, DoesNotDependOnTheNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

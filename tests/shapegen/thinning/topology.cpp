@@ -5,6 +5,8 @@
 
 namespace dem::test {
 
+using namespace shapegen;
+
 namespace {
 
 /// Sets of voxels with the wanted value, neighbors being at most `reach` unit steps apart and in

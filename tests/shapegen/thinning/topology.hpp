@@ -7,6 +7,8 @@
 
 namespace dem::test {
 
+using namespace shapegen;
+
 /// The Betti numbers of the union of the closed cubes.
 struct Topology {
     int components = 0;  ///< connected through faces, edges or corners

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 __extension__ using Wide = __int128;
@@ -84,4 +84,4 @@ TEST(ExactOrientation, SurvivesUnderflow) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 TEST(VoxelImage, InsertsARunAsItsVoxels) {
@@ -72,4 +72,4 @@ TEST(VoxelGrid, RefusesASpacingThatNeedsTooManyVoxels) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::shapegen {
 namespace {
 
 /// Voxel (i, j, k) has its center at (i - 1, j - 1, k - 1) * spacing: edges and corners of meshes
@@ -179,4 +179,4 @@ TEST(Voxelize, HasTheVolumeOfTheMesh) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::shapegen

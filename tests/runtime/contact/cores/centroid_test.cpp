@@ -13,6 +13,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 // Against sums over a fine grid of points in both polygons.

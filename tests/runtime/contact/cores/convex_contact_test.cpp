@@ -12,6 +12,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 // The heart of the matter: the force of features, ramps and all, has a potential.

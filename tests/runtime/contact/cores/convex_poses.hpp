@@ -10,6 +10,8 @@
 /// Two bodies beside each other, for tests of pairs.
 namespace dem::test {
 
+using namespace runtime;
+
 inline Quat turned(const Vec3& axis, double angle) {
     const double s = std::sin(0.5 * angle);
     const Vec3 a = axis.normalized();

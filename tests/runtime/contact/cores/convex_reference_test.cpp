@@ -18,6 +18,9 @@
 /// Sec. 6.2. PAIRS of each combination, overlaps from 1e-6 to 0.1 of the size, attitudes at random
 /// and tilted against flat on flat by 1 down to 0.
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 constexpr double size = 1.0;

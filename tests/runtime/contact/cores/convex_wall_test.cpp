@@ -10,6 +10,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 TEST(ConvexContact, TheForceAtAWallIsTheGradientOfTheStoredEnergy) {

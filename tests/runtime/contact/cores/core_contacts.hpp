@@ -15,6 +15,8 @@
 /// the derivative of its energy.
 namespace dem::test {
 
+using namespace runtime;
+
 struct Host {
     ConvexHistory history{};
     MissCache miss{};

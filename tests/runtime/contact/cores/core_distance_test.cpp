@@ -13,6 +13,9 @@
 
 /// How far two cores are apart, or how deep they overlap.
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 TEST(Gjk, MeetsTheDistanceOfAllFeaturesForAnyTiltAndGap) {

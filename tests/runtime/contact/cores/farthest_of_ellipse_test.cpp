@@ -11,7 +11,7 @@
 
 // Where an ellipse is farthest from a point, against a scan of its circumference.
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 Vec2 point_of(const Ellipse& ellipse, double angle) {
@@ -109,4 +109,4 @@ TEST(FarthestOfEllipse, TheFormGivesTheAxes) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

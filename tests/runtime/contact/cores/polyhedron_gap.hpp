@@ -8,6 +8,8 @@
 /// The distance of two polyhedra by all their features.
 namespace dem::test {
 
+using namespace runtime;
+
 inline Vec3 direction_of(const PlacedCore& core, const ConvexShape::Edge& e) {
     return core.vertex(e.to) - core.vertex(e.from);
 }

@@ -12,6 +12,8 @@
 /// rounding.
 namespace dem::test {
 
+using namespace runtime;
+
 class RoundGap {
   public:
     RoundGap(const PlacedCore& i, const PlacedCore& j) {

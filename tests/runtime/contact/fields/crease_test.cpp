@@ -12,7 +12,10 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
+
+using namespace shapegen;
+
 namespace {
 
 const RodField rod{{0.0}, Vec3::Zero(), Vec3::UnitZ(), 5e-3, 1e-2};
@@ -104,4 +107,4 @@ TEST(Crease, TheWayOfAPointIsThatOfItsBodyRelativeToTheOther) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

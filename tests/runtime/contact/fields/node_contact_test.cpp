@@ -16,6 +16,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 const SrShape& shape(int which) {

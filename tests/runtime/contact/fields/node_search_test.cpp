@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 struct NamedShape {
@@ -253,4 +253,4 @@ TEST(NodeFields, ARimCutsADiscAndATube) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

@@ -12,6 +12,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 constexpr double radius = 3e-3;

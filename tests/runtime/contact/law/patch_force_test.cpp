@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 PairState moving_pair(std::uint64_t seed) {
@@ -239,4 +239,4 @@ TEST(PatchSlots, KeepTouchingPointsAndGiveTheRestToTheDeepest) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

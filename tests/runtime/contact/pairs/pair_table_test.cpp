@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dem {
+namespace dem::runtime {
 namespace {
 
 template <class... Row>
@@ -73,4 +73,4 @@ TEST(PairTable, APairBelongsToOneRowInEitherOrder) {
 }
 
 }  // namespace
-}  // namespace dem
+}  // namespace dem::runtime

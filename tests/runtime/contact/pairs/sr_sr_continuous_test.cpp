@@ -14,6 +14,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 PairState random_pair(const SolidBody& a, const SolidBody& b, Random& random) {

@@ -16,6 +16,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 const Vec3 z = Vec3::UnitZ();

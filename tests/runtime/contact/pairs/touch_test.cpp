@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 ParticleTemplate with_shape(decltype(ParticleTemplate::shape) shape) {

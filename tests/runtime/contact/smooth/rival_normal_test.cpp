@@ -11,6 +11,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 SolidBody body_with_edges(Random& random) {

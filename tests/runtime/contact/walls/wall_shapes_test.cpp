@@ -10,6 +10,9 @@
 #include <gtest/gtest.h>
 
 namespace dem::test {
+
+using namespace runtime;
+
 namespace {
 
 /// What the answers of every shape have in common is held for these: a new shape adds its own.
