@@ -90,9 +90,9 @@ struct InsertionGroup {
 };
 
 struct RunSettings {
-    double end_time = 0.0;             ///< [s]
-    std::optional<double> time_step;   ///< none: automatic
-    double time_step_fraction = 20.0;  ///< n of dt = min(T_R, T_H)/n
+    double end_time = 0.0;            ///< [s]
+    std::optional<double> time_step;  ///< none: automatic
+    double time_step_divisor = 20.0;  ///< n of dt = min(T_R, T_H)/n
     bool time_step_force = false;
     Vec3 gravity = Vec3::Zero();  ///< [m/s^2]
     std::uint64_t seed = 1;

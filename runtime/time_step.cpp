@@ -167,7 +167,7 @@ TimeStep time_step(const Scene& scene) {
         throw Error(scene.case_path,
                     "time_step = auto found where no body can move, expected a time_step");
     }
-    step.value = step.critical / scene.run.time_step_fraction;
+    step.value = step.critical / scene.run.time_step_divisor;
     if (!(step.value > 0.0 && step.value <= scene.run.end_time)) {
         throw Error(
             scene.case_path,

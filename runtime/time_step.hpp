@@ -22,7 +22,7 @@ struct TimeStep {
     double motion = 0.0;
     double largest_speed = 0.0;  ///< that was assumed [m/s]
     double critical = 0.0;       ///< the smallest of the times [s]
-    double value = 0.0;          ///< given, or critical / RunSettings::time_step_fraction [s]
+    double value = 0.0;          ///< given, or critical / RunSettings::time_step_divisor [s]
 };
 
 /// Throws Error when the given time step is above the critical one and not forced, or when there is

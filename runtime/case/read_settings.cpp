@@ -10,7 +10,7 @@ RunSettings read_run(const Values& values) {
     RunSettings run;
     run.end_time = values.number("end_time");
     run.time_step = values.optional_number("time_step");
-    run.time_step_fraction = values.number("time_step_divisor");
+    run.time_step_divisor = values.number("time_step_divisor");
     run.time_step_force = values.yes_no("time_step_force");
     run.gravity = values.vector("gravity");
     run.seed = values.count("seed");

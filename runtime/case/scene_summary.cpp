@@ -107,7 +107,7 @@ void describe(const TimeStep& step, const Scene& scene, std::ostringstream& out)
     if (scene.run.time_step) {
         out << "given; ";
     } else {
-        out << "1/" << scene.run.time_step_fraction << " of ";
+        out << "1/" << scene.run.time_step_divisor << " of ";
     }
     if (std::isinf(step.critical)) {
         out << "no body can move, and none is too long\n";

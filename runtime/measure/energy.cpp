@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/measure/energy.hpp"
 
+#include "runtime/integrator/rigid_body.hpp"
 #include "runtime/simulation.hpp"
 
 namespace dem::runtime {
@@ -11,7 +12,7 @@ void add_body(Energies& e, const Particles& p, const Scene& scene, std::uint32_t
     const BodyKind& kind = scene.kinds[p.kind[i]];
     if (kind.inverse_inertia.mass == 0.0) return;
     e.translational += 0.5 * kind.mass * p.velocity[i].squaredNorm();
-    e.rotational += 0.5 * p.angular_momentum[i].dot(p.angular_velocity[i]);
+    e.rotational += rotational_energy(p.angular_momentum[i], p.angular_velocity[i]);
     e.potential -= kind.mass * scene.run.gravity.dot(p.position[i]);
 }
 

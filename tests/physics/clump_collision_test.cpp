@@ -148,7 +148,7 @@ TEST(ClumpCollision, AnElasticBounceKeepsTheEnergy) {
             host.travel +=
                 1.01 * dt * (bodies.i.velocity.norm() + bodies.j.velocity.norm() + 6.6e-3 * spin);
             bodies.step(dt, [&](const PairState& pair, double h) -> PairContact {
-                if (cannot_touch(host.cache, host.travel)) return {};
+                if (host.travel < host.cache.clear_until) return {};
                 return collide(clump, clump, host.call(pair, law, h));
             });
             if (touched && !bodies.contact.touches()) break;

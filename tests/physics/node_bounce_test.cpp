@@ -69,7 +69,7 @@ double energy_error(const SrShape& a, const SrShape& b, Random& random, bool& to
                             bodies.j.angular_velocity().norm() * b.bounding_radius;
         host.travel += 1.01 * dt * (bodies.i.velocity.norm() + bodies.j.velocity.norm() + spin);
         bodies.step(dt, [&](const PairState& pair, double h) -> PairContact {
-            if (cannot_touch(host.cache, host.travel)) return {};
+            if (host.travel < host.cache.clear_until) return {};
             return collide_pair(pair, h, host);
         });
         touched = touched || bodies.contact.touches();

@@ -12,7 +12,7 @@ namespace dem::runtime {
 namespace {
 
 /// The features together, with true weights.
-struct Patch {
+struct FeaturePatch {
     double overlap;
     double weight;   ///< sum w_k
     Vec3 normal;     ///< unit
@@ -26,7 +26,7 @@ struct Patch {
     }
 };
 
-void add_normal(const FeatureSum& features, const ContactLaw& law, double dt, Patch& patch,
+void add_normal(const FeatureSum& features, const ContactLaw& law, double dt, FeaturePatch& patch,
                 PairContact& contact, ContactEnergy& energy) {
     const double scale = features.scale();
     const double spring = scale * patch.c.k_n * features.overlap();
@@ -58,7 +58,7 @@ struct Step {
     ContactEnergy& energy;
 };
 
-void add_torsion(const Patch& patch, const Step& step, PairContact& contact) {
+void add_torsion(const FeaturePatch& patch, const Step& step, PairContact& contact) {
     const PairState& pair = step.features.pair();
     const double rate = (pair.i.angular_velocity - pair.j.angular_velocity).dot(patch.normal);
     const SlippingSpring spring = torsion_spring(patch.tangential(step.law), patch.spread2);
@@ -71,7 +71,7 @@ void add_torsion(const Patch& patch, const Step& step, PairContact& contact) {
 /// How many overlaps long the spring of a contact without slip may be before it lets go: no less
 /// than a force of no_slip normal ones stretches it, and than it has been in the loaded contact.
 /// `stretch`: its length now [m].
-double held_ratio(const Patch& patch, double stretch, double dt, ConvexHistory& history) {
+double held_ratio(const FeaturePatch& patch, double stretch, double dt, ConvexHistory& history) {
     // A contact that stays forgets how it began.
     if (history.phase > settled_phase)
         history.deepest *= 1.0 - std::min(1.0, patch.c.frequency * dt / drift_phase);
@@ -83,7 +83,7 @@ double held_ratio(const Patch& patch, double stretch, double dt, ConvexHistory& 
 
 /// A spring longer than this many overlaps would push so hard that a step cannot follow: the push
 /// is as stiff as 2 ratio^2 k_t / k_n normal springs.
-double longest_ratio(const Patch& patch, double dt) {
+double longest_ratio(const FeaturePatch& patch, double dt) {
     return std::sqrt(0.5 * patch.c.k_n / patch.c.k_t) / (patch.c.frequency * dt);
 }
 
@@ -94,8 +94,8 @@ struct FrictionForce {
 
 /// The spring and dashpot along the surface; in a contact without slip that ends while the spring
 /// is stretched, the spring gives its energy back as a push.
-FrictionForce along_surface(const Patch& patch, const ContactLaw& law, const Vec3& u_t, double dt,
-                            ConvexHistory& history, Vec3& lead) {
+FrictionForce along_surface(const FeaturePatch& patch, const ContactLaw& law, const Vec3& u_t,
+                            double dt, ConvexHistory& history, Vec3& lead) {
     const SlippingSpring s = patch.tangential(law);
     if (!gives_back(law) || !(s.k > 0.0)) return {slipping_force(s, u_t, dt, lead)};
     const Vec3 half_way = 0.5 * dt * u_t;
@@ -124,7 +124,7 @@ void add_push(const FeatureSum& features, double push, PairContact& contact) {
 /// that has settled, it stays where it is on the surfaces, as far from the load as the points
 /// reach. If it went along with the load of a body that rocks it would turn the body with every
 /// rock, and what is turned is pushed aside by its spring and rocks: bodies swung for ever.
-Vec3 place_of_friction(const Patch& patch, const Step& step) {
+Vec3 place_of_friction(const FeaturePatch& patch, const Step& step) {
     const FeatureSum& features = step.features;
     if (!(step.history.phase > settled_phase) || features.count() == 1) return patch.center;
     const PairState& pair = features.pair();
@@ -140,7 +140,7 @@ Vec3 place_of_friction(const Patch& patch, const Step& step) {
     return patch.center + std::min(1.0, std::sqrt(features.squared_spread(away)) / size2) * away;
 }
 
-void add_friction(const Patch& patch, const Step& step, PairContact& contact) {
+void add_friction(const FeaturePatch& patch, const Step& step, PairContact& contact) {
     const auto& [features, law, dt, history, energy] = step;
     const PairState& pair = features.pair();
     const Vec3& n = patch.normal;
@@ -177,7 +177,7 @@ void add_friction(const Patch& patch, const Step& step, PairContact& contact) {
     add_torsion(patch, step, contact);
 }
 
-Patch patch_of(const FeatureSum& features, double radius, const ContactLaw& law) {
+FeaturePatch patch_of(const FeatureSum& features, double radius, const ContactLaw& law) {
     const PairState& pair = features.pair();
     const PairWrench& g = features.direction();
     // Of one point and of many coinciding ones the mass is the same.
@@ -200,7 +200,7 @@ Patch patch_of(const FeatureSum& features, double radius, const ContactLaw& law)
 PairContact contact_force(const FeatureSum& features, double local_radius, const ContactLaw& law,
                           double dt, ConvexHistory& history) {
     const double radius = effective_radius(law, local_radius, history);
-    Patch patch = patch_of(features, radius, law);
+    FeaturePatch patch = patch_of(features, radius, law);
     PairContact contact;
     ContactEnergy energy;
     add_normal(features, law, dt, patch, contact, energy);

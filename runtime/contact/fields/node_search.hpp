@@ -28,7 +28,10 @@ namespace dem::runtime {
 struct NearCache {
     static constexpr std::uint32_t capacity = 24;
 
-    /// No node touches while `travel` is less than this [m].
+    /// No node touches while `travel` is less than this [m]: until then the host need not call the
+    /// kernel. `travel` bounds the path walked by any point of either body, one added to the other,
+    /// since some fixed time: it never falls, and no point of one body has come nearer to a point
+    /// of the other by more than its increase.
     double clear_until = 0.0;
     /// Every node that touches is listed while `travel` is less than this [m].
     double listed_until = 0.0;
@@ -36,14 +39,6 @@ struct NearCache {
     std::array<std::uint32_t, capacity> nodes{};  ///< in rising order
 };
 static_assert(std::is_trivially_copyable_v<NearCache>);
-
-/// True when the pair cannot touch, so that the host need not call the kernel. `travel` is a bound
-/// on the path walked by any point of either body, one added to the other, since some fixed time
-/// [m]: it never falls, and no point of one body has come nearer to a point of the other by more
-/// than its increase.
-inline bool cannot_touch(const NearCache& cache, double travel) {
-    return travel < cache.clear_until;
-}
 
 /// Calls visit(node, sample) for every node nearer than `margin`, in rising order. Returns a lower
 /// bound of the distance of all others [m].

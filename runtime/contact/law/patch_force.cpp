@@ -173,8 +173,8 @@ struct StandIn {
     Vec3 shift = Vec3::Zero();  ///< from where they carry the load to where all do [m]
 };
 
-template <class Patch>
-StandIn stand_in(const Patch& patch, const PatchInput& call, const PatchSlots& chosen,
+template <class PointPatch>
+StandIn stand_in(const PointPatch& patch, const PatchInput& call, const PatchSlots& chosen,
                  const Load& load) {
     if (chosen.count == call.points.size()) return {};
     Load held;
@@ -187,8 +187,8 @@ StandIn stand_in(const Patch& patch, const PatchInput& call, const PatchSlots& c
 }
 
 /// Adds the friction of the points in slots.
-template <class Patch>
-void add_friction(const Patch& patch, const PatchInput& call, const Load& load,
+template <class PointPatch>
+void add_friction(const PointPatch& patch, const PatchInput& call, const Load& load,
                   PairContact& contact, ContactEnergy& energy) {
     const PatchSlots chosen = choose_slots(call.points, call.history);
     const auto [scale, shift] = stand_in(patch, call, chosen, load);
@@ -234,9 +234,9 @@ WholeContact whole_contact(const PatchInput& call, const Load& load, double over
             call.history.dissipated};
 }
 
-template <class Patch>
+template <class PointPatch>
 PairContact patch_force(const PatchInput& call) {
-    const Patch patch(call.points, call.pair, call.law, call.radius);
+    const PointPatch patch(call.points, call.pair, call.law, call.radius);
     PairContact contact;
     ContactEnergy energy;
     Load load;

@@ -104,10 +104,6 @@ PairContact on_convex(const ClumpAndShape& pair, const PatchCall& call) {
     return contact_force(touching.points, radius, call);
 }
 
-double effective_radius(double sphere_radius, const SrShape& shape, double of_shape) {
-    return 1.0 / (contact_curvature(of_shape, shape.equivalent_diameter) + 1.0 / sphere_radius);
-}
-
 PairContact by_distance(const ClumpAndShape& pair, const PatchCall& call) {
     const SrShape& shape = pair.shape;
     const OffsetField field = pair.field();
@@ -121,8 +117,8 @@ PairContact by_distance(const ClumpAndShape& pair, const PatchCall& call) {
     if (touching.points.empty()) return contact_force(touching.points, 0.0, call);
     const SrField::Sample& s = touching.deepest.field;
     const double of_shape = mean_curvature_near(shape, s.r, s.z, std::max(s.d_dr, 0.0), s.d_dz);
-    return contact_force(touching.points,
-                         effective_radius(touching.deepest.radius, shape, of_shape), call);
+    return contact_force(touching.points, local_radius(shape, of_shape, touching.deepest.radius),
+                         call);
 }
 
 /// The union of the spheres of a clump; exact outside, where nodes are sought.
@@ -167,7 +163,7 @@ PairContact by_nodes(const ClumpAndShape& pair, const PatchCall& call) {
     if (touching.points.empty()) return contact_force(touching.points, 0.0, call);
     const double of_shape = shape.nodes.nodes[touching.deepest].mean_curvature;
     const double of_sphere = spheres.radius(touching.deepest_sample.sphere);
-    return contact_force(touching.points, effective_radius(of_sphere, shape, of_shape), call);
+    return contact_force(touching.points, local_radius(shape, of_shape, of_sphere), call);
 }
 
 }  // namespace

@@ -8,10 +8,6 @@ namespace dem::runtime {
 
 namespace {
 
-double effective_radius(const Sphere& sphere, const SrShape& shape, double of_shape) {
-    return 1.0 / (contact_curvature(of_shape, shape.equivalent_diameter) + 1.0 / sphere.radius);
-}
-
 /// The shape's distance field at the center of the sphere, everything in world axes.
 PairContact by_distance(const Sphere& sphere, const SrShape& shape, const PatchCall& call) {
     const SrField field(shape, call.pair.displacement, body_axis(call.pair.j.orientation));
@@ -24,7 +20,7 @@ PairContact by_distance(const Sphere& sphere, const SrShape& shape, const PatchC
     const Vec3 position = -(sphere.radius - 0.5 * overlap) * gradient.normalized();
     const ContactPoint point{position, gradient, overlap, 0};
     const double of_shape = mean_curvature_near(shape, s.r, s.z, std::max(s.d_dr, 0.0), s.d_dz);
-    return contact_force({&point, 1}, effective_radius(sphere, shape, of_shape), call);
+    return contact_force({&point, 1}, local_radius(shape, of_shape, sphere.radius), call);
 }
 
 /// The shape's nodes inside the sphere.
@@ -42,7 +38,7 @@ PairContact by_nodes(const Sphere& sphere, const SrShape& shape, const PatchCall
     const TouchingNodes<SphereField> touching =
         touching_nodes(shape.nodes, field, frame, margin, call);
     const double of_shape = shape.nodes.nodes[touching.deepest].mean_curvature;
-    return contact_force(touching.points, effective_radius(sphere, shape, of_shape), call);
+    return contact_force(touching.points, local_radius(shape, of_shape, sphere.radius), call);
 }
 
 }  // namespace

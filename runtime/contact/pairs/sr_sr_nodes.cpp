@@ -45,7 +45,7 @@ Vec3 facing_direction(const SurfaceNodes& nodes, const SrField& field) {
 }
 
 /// R* where the deepest node lies: H of the master at the node, of the slave beside it [1/m].
-double effective_radius(const SrShape& a, const SrShape& b, const TouchingNodes<SrField>& nodes) {
+double local_radius(const SrShape& a, const SrShape& b, const TouchingNodes<SrField>& nodes) {
     const SrField::Sample& s = nodes.deepest_sample;
     const double of_a = a.nodes.nodes[nodes.deepest].mean_curvature;
     const double of_b = mean_curvature_near(b, s.r, s.z, std::max(s.d_dr, 0.0), s.d_dz);
@@ -67,7 +67,7 @@ PairContact collide(const SrShape& a, const SrShape& b, const PatchCall& call) {
         if (b.is_convex) field.set_floor(b, facing_direction(a.nodes, field));
     }
     const TouchingNodes<SrField> touching = touching_nodes(a.nodes, field, frame, margin, call);
-    const double radius = touching.points.empty() ? 0.0 : effective_radius(a, b, touching);
+    const double radius = touching.points.empty() ? 0.0 : local_radius(a, b, touching);
     return contact_force(touching.points, radius, call);
 }
 

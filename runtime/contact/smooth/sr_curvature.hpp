@@ -18,4 +18,10 @@ inline double contact_curvature(double mean_curvature, double equivalent_diamete
     return std::clamp(mean_curvature, 0.2 / equivalent_diameter, 100.0 / equivalent_diameter);
 }
 
+/// R* of a place of the shape with this mean curvature [1/m] against a sphere [m].
+inline double local_radius(const SrShape& shape, double mean_curvature, double sphere_radius) {
+    return 1.0 /
+           (contact_curvature(mean_curvature, shape.equivalent_diameter) + 1.0 / sphere_radius);
+}
+
 }  // namespace dem::runtime

@@ -183,7 +183,7 @@ LawAndStep law_and_step(const Setup& s, const BounceSettings& settings) {
         bodies.push_back(placement(s.bodies.j, 1));
     }
     scene.insertions.push_back(scenes::placed(std::move(bodies)));
-    if (settings.divisor) scene.run.time_step_fraction = *settings.divisor;
+    if (settings.divisor) scene.run.time_step_divisor = *settings.divisor;
     return {law, time_step(scene).value};
 }
 
