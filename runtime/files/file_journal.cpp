@@ -3,6 +3,7 @@
 
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
+#include "common/file_hash.hpp"
 #include "runtime/files/whole_io.hpp"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace dem::runtime {
 
 namespace {
 
-constexpr std::uint64_t record_mark = 0x314c4e524a4d4544ULL;  // "DEMJRNL1"
+constexpr std::uint64_t record_mark = 0x324c4e524a4d4544ULL;  // "DEMJRNL2"
 
 /// Before the body of a record; all numbers are in the byte order of the machine.
 struct RecordHead {
@@ -47,12 +48,6 @@ T take(std::span<const std::byte>& bytes) {
     return value;
 }
 
-std::uint64_t hash_of(std::span<const std::byte> bytes) {
-    ContentHash hash;
-    hash.add(bytes);
-    return hash.value();
-}
-
 std::vector<std::byte> encode(const FileChange& change) {
     std::vector<std::byte> body;
     body.reserve(sizeof(ChangeHead) + change.pages.size() * sizeof(PageChange));
@@ -64,7 +59,7 @@ std::vector<std::byte> encode(const FileChange& change) {
         put(body, page.after);
     }
     std::vector<std::byte> record;
-    put(record, RecordHead{record_mark, body.size(), hash_of(body)});
+    put(record, RecordHead{record_mark, body.size(), file_hash(body)});
     record.insert(record.end(), body.begin(), body.end());
     return record;
 }
@@ -93,16 +88,6 @@ void sync_folder(const std::filesystem::path& file) {
 
 }  // namespace
 
-void ContentHash::add(std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        std::uint64_t word = 0;
-        const std::size_t count = std::min(bytes.size(), sizeof word);
-        std::memcpy(&word, bytes.data(), count);
-        value_ = (value_ ^ word) * 0x100000001b3ULL;
-        bytes = bytes.subspan(count);
-    }
-}
-
 FileJournal::~FileJournal() {
     if (descriptor_ >= 0) close(descriptor_);
 }
@@ -120,7 +105,7 @@ std::vector<FileChange> FileJournal::read() const {
         const auto head = take<RecordHead>(rest);
         if (head.mark != record_mark || head.body_bytes > rest.size()) break;
         const auto body = rest.first(head.body_bytes);
-        if (hash_of(body) != head.body_hash) break;
+        if (file_hash(body) != head.body_hash) break;
         FileChange change = decode(body);
         if (change.is_beginning) changes.clear();
         changes.push_back(std::move(change));

@@ -35,19 +35,8 @@ struct FileChange {
     FileIdentity file;
     std::uint64_t size_before = 0;  ///< [bytes]
     std::uint64_t size_after = 0;   ///< [bytes]
-    std::uint64_t new_hash = 0;     ///< content_hash of the whole pages behind size_before
+    std::uint64_t new_hash = 0;     ///< of the whole pages behind size_before
     std::vector<PageChange> pages;
-};
-
-/// FNV-1a over words of eight bytes, for contents of any length: any changed byte changes it.
-class ContentHash {
-  public:
-    /// Every call but the last with a multiple of eight bytes.
-    void add(std::span<const std::byte> bytes);
-    std::uint64_t value() const { return value_; }
-
-  private:
-    std::uint64_t value_ = 0xcbf29ce484222325ULL;
 };
 
 /// Changes one behind another in a file of its own, each with a checksum. Nothing that is in it is

@@ -3,9 +3,9 @@
 
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
+#include "common/parts_hash.hpp"
 #include "runtime/files/hdf5_file.hpp"
 #include "runtime/files/hdf5_reader.hpp"
-#include "runtime/files/table_hash.hpp"
 #include "runtime/files/taken_up.hpp"
 
 #include <algorithm>
@@ -115,7 +115,7 @@ class FrameTables {
     Hdf5File& file_;
     std::string group_;
     std::string place_;
-    TableHash hash_;
+    PartsHash hash_;
 };
 
 XdmfGrid write_tables(FrameTables& tables, const Frame& frame) {
@@ -168,7 +168,7 @@ std::string frame_name(std::uint64_t number) {
 void check_frame(const std::filesystem::path& path, const Hdf5Reader& file,
                  const std::string& group) {
     const std::vector<std::string> members = file.members(group);
-    TableHash hash;
+    PartsHash hash;
     for (const char* name : table_names) {
         if (std::ranges::find(members, name) == members.end()) continue;
         hash.add(file.content(group + "/" + name));

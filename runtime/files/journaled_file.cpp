@@ -11,6 +11,7 @@
 
 #include "common/boot_id.hpp"
 #include "common/error.hpp"
+#include "common/parts_hash.hpp"
 #include "common/progress.hpp"
 #include "common/stopwatch.hpp"
 #include "runtime/files/whole_io.hpp"
@@ -47,7 +48,7 @@ std::filesystem::path journal_path(const std::filesystem::path& path) {
 /// zero.
 std::uint64_t hash_of_new_part(int descriptor, std::uint64_t size_before,
                                std::uint64_t size_after) {
-    ContentHash hash;
+    PartsHash hash;
     std::vector<std::byte> block(std::size_t{1} << 18);
     for (std::uint64_t at = whole_pages(size_before) * page_bytes; at < size_after;
          at += block.size()) {
@@ -170,7 +171,7 @@ FileChange JournaledFile::beginning() const {
     PageChange first{0, {}, {}};
     if (const int error = read_whole(descriptor_, 0, first.before); error != 0) fail(error);
     first.after = first.before;
-    return {true, identity(descriptor_), committed_, committed_, ContentHash().value(), {first}};
+    return {true, identity(descriptor_), committed_, committed_, PartsHash().value(), {first}};
 }
 
 FileChange JournaledFile::change() const {

@@ -4,11 +4,11 @@
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
 #include "common/number.hpp"
+#include "common/parts_hash.hpp"
 #include "common/text.hpp"
 #include "runtime/files/frames.hpp"
 #include "runtime/files/hdf5_file.hpp"
 #include "runtime/files/hdf5_reader.hpp"
-#include "runtime/files/table_hash.hpp"
 #include "runtime/files/taken_up.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ constexpr TableNames topology_tables = {"triangles", "particle_id"};
 
 std::uint64_t hash_of(std::initializer_list<std::span<const std::byte>> tables,
                       const std::string& entry) {
-    TableHash hash;
+    PartsHash hash;
     for (const auto& table : tables) hash.add(table);
     hash.add(entry);
     return hash.value();
@@ -37,7 +37,7 @@ std::uint64_t hash_of(std::initializer_list<std::span<const std::byte>> tables,
 /// Throws Error unless the tables, and a frame's entry in the index, are as they were written.
 void check_tables(const std::filesystem::path& path, const Hdf5Reader& file,
                   const std::string& group, const TableNames& names, const std::string& entry) {
-    TableHash hash;
+    PartsHash hash;
     for (const char* name : names) hash.add(file.content(group + "/" + name));
     hash.add(entry);
     if (hash.value() == file.number(group, "hash")) return;
@@ -177,12 +177,14 @@ void SurfaceWriter::append(const Frame& frame, const std::string& frame_name) {
     file.write(group + "points", points, 3);
     file.write(group + "speed", speeds);
     const std::string place = "surfaces.h5:" + group;
-    const std::string entry = index_.entry(
-        {frame.time,
-         triangles_,
-         {place + "points", vertices_, 3, "Float", 4},
-         {{"particle_id", "Scalar", "Cell", triangle_id_},
-          {"speed", "Scalar", "Cell", {place + "speed", speeds.size(), 1, "Float", 4}}}});
+    XdmfGrid grid;
+    grid.time = frame.time;
+    grid.cells = triangles_;
+    grid.points = {place + "points", vertices_, 3, "Float", 4};
+    grid.attributes = {
+        {"particle_id", "Scalar", "Cell", triangle_id_},
+        {"speed", "Scalar", "Cell", {place + "speed", speeds.size(), 1, "Float", 4}}};
+    const std::string entry = index_.entry(grid);
     file.describe(group, "time", frame.time);
     file.describe(group, "topologies", topologies_);
     file.describe(
