@@ -62,7 +62,6 @@ std::vector<IdPair> wall_candidates(const Bodies& bodies, std::span<const double
 template <class... List, class Handles>
 std::vector<std::uint32_t> distribute(std::tuple<List...>& lists,
                                       std::span<const IdPair> candidates, const Handles& handles,
-                                      std::span<const std::uint8_t> touching,
                                       std::uint32_t& first_result) {
     constexpr std::size_t kinds = sizeof...(List);
     std::vector<std::uint8_t> kind_of(candidates.size());
@@ -80,9 +79,7 @@ std::vector<std::uint32_t> distribute(std::tuple<List...>& lists,
         const auto old = std::exchange(list, {});
         next[kind] = first_result;
         list.reset(std::move(ids[kind]), first_result);
-        if (old.size() > 0) {
-            carry_over(old, touching.subspan(old.first_result, old.size()), list);
-        }
+        carry_over(old, list);
         first_result += list.size();
         ++kind;
     };
@@ -143,8 +140,8 @@ void rebuild(NeighborLists& lists, const Bodies& bodies, const BodyAabbs& aabbs,
     const std::vector<IdPair> wall_pairs = wall_candidates(bodies, margins, wall_margins);
     const std::size_t total = pairs.size() + wall_pairs.size();
     if (total >= most_pairs) {
-        throw Error(bodies.scene.case_path, std::to_string(total) +
-                                                " candidate pairs found, expected at most " +
+        throw Error(bodies.scene.case_path, "found " + std::to_string(total) +
+                                                " candidate pairs, expected at most " +
                                                 std::to_string(most_pairs));
     }
 
@@ -155,7 +152,7 @@ void rebuild(NeighborLists& lists, const Bodies& bodies, const BodyAabbs& aabbs,
             return handles<typename List::Row>(bodies.shape(pair.i), bodies.shape(pair.j),
                                                bodies.law(pair.i, pair.j));
         },
-        lists.touching, first_result);
+        first_result);
     const auto wall_result = distribute(
         lists.walls, wall_pairs,
         [&]<class List>(List*, const IdPair& pair) {
@@ -163,7 +160,7 @@ void rebuild(NeighborLists& lists, const Bodies& bodies, const BodyAabbs& aabbs,
                                                bodies.scene.walls[pair.j].shape,
                                                bodies.wall_law(pair.i, pair.j));
         },
-        lists.touching, first_result);
+        first_result);
     lists.adjacency =
         transposed(bodies.particles.size(), pairs, pair_result, wall_pairs, wall_result);
     lists.touching_entries.reset(lists.adjacency);

@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -74,10 +73,11 @@ struct PairList {
     }
 };
 
-/// Takes over what the pairs of `old` remember by walking both sorted lists at once. `touching`:
-/// one flag per pair of `old`; the histories of pairs that no longer touch are dropped.
+/// Takes over what the pairs of `old` remember by walking both sorted lists at once. Whether a pair
+/// has a history the list itself says: the flags of what touches are of the last step, and lists
+/// may be made twice between two steps.
 template <class List>
-void carry_over(const List& old, std::span<const std::uint8_t> touching, List& list) {
+void carry_over(const List& old, List& list) {
     std::uint32_t o = 0;
     for (std::uint32_t k = 0; k < list.size(); ++k) {
         while (o < old.size() && old.ids[o] < list.ids[k]) ++o;
@@ -85,7 +85,8 @@ void carry_over(const List& old, std::span<const std::uint8_t> touching, List& l
         if (old.ids[o] != list.ids[k]) continue;
         list.quiet_until[k] = old.quiet_until[o];
         list.caches[k] = old.caches[o];
-        if (touching[o] != 0) list.add_history(k, old.histories[old.history_of[o]]);
+        const std::uint32_t history = old.history_of[o];
+        if (history != List::none) list.add_history(k, old.histories[history]);
     }
 }
 

@@ -2,15 +2,9 @@
 #include "runtime/simulation.hpp"
 
 #include "common/error.hpp"
-#include "runtime/contact/law/pair_law.hpp"
-#include "runtime/measure/at_rest.hpp"
 #include "runtime/measure/contact_count.hpp"
 #include "runtime/measure/energy.hpp"
-#include "runtime/measure/fill_height.hpp"
-#include "runtime/measure/measures.hpp"
-#include "runtime/measure/solid_fraction.hpp"
-#include "runtime/time_step.hpp"
-#include "tests/runtime/simulation/scenes.hpp"
+#include "tests/runtime/simulation/spheres_over_a_floor.hpp"
 
 #include <cmath>
 
@@ -19,21 +13,10 @@
 namespace dem::runtime {
 namespace {
 
-constexpr double radius = 5e-3;
+using scenes::at;
+using scenes::spheres_over_a_floor;
 
-Scene spheres_over_a_floor(std::vector<BodyPlacement> bodies) {
-    Scene scene = scenes::one_material({1e7, 2500.0, 0.5, 0.4});
-    scenes::add_kind(scene, scenes::sphere(radius));
-    scene.walls.push_back(scenes::plane(Vec3::Zero(), Vec3::UnitZ()));
-    scene.insertions.push_back(scenes::placed(std::move(bodies)));
-    return scene;
-}
-
-BodyPlacement at(double x, double y, double z) {
-    BodyPlacement body;
-    body.position = {x, y, z};
-    return body;
-}
+constexpr double radius = scenes::small_radius;
 
 std::string error_of(Simulation& simulation, int steps) {
     try {
@@ -155,201 +138,6 @@ TEST(Simulation, FixedBodiesDoNotFallAndHoldOthers) {
     for (int n = 0; n < 50000; ++n) simulation.step();
     EXPECT_EQ(simulation.particles().position[0], Vec3(0.0, 0.0, 0.5));
     EXPECT_NEAR(simulation.particles().position[1].z(), 0.5 + 2.0 * radius, 2e-5);
-}
-
-TEST(AtRest, IsReachedAfterTheLastBounceAndNotAtTheTopOfAFlight) {
-    Simulation simulation(spheres_over_a_floor({at(0.0, 0.0, 4.0 * radius)}), 5e-6);
-    AtRest at_rest(simulation.scene());
-    double last_touchdown = 0.0;
-    while (!at_rest.was_reached() && simulation.time() < 2.0) {
-        const bool touched = contact_count(simulation) > 0;
-        simulation.step();
-        if (!touched && contact_count(simulation) > 0) last_touchdown = simulation.time();
-        at_rest.look(simulation);
-    }
-    EXPECT_TRUE(at_rest.was_reached());
-    EXPECT_GT(last_touchdown, 0.1);
-    EXPECT_GT(simulation.time(), last_touchdown);
-    EXPECT_LT(simulation.time(), 0.6);
-}
-
-TEST(FillHeight, OfSpheresOnAFloor) {
-    std::vector<BodyPlacement> bodies;
-    for (int n = 0; n < 12; ++n) bodies.push_back(at(0.0, 0.02 * n, radius + 1e-3 * n));
-    Simulation simulation(spheres_over_a_floor(bodies), 1e-6);
-    const FillHeight height = fill_height(simulation.particles(), simulation.scene());
-    EXPECT_DOUBLE_EQ(height.highest, 2.0 * radius + 11e-3);
-    EXPECT_NEAR(height.top_ten, 2.0 * radius + 6.5e-3, 1e-15);
-}
-
-// One sphere in the corner of a box and in a cylinder: the surface seen from above is the upper
-// half's, pi r^2 (r + z) less the cap's pi r^3 / 3, over the cross-section.
-TEST(FillHeight, OfTheSurfaceIsTheVolumeBelowIt) {
-    const double below = pi * square(radius) * (radius + 2.0 / 3.0 * radius);
-    Scene box = spheres_over_a_floor({at(radius, radius, radius)});
-    box.walls.push_back(scenes::plane(Vec3::Zero(), Vec3::UnitX()));
-    box.walls.push_back(scenes::plane(Vec3::Zero(), Vec3::UnitY()));
-    box.walls.push_back(scenes::plane({4.0 * radius, 0.0, 0.0}, -Vec3::UnitX()));
-    box.walls.push_back(scenes::plane({0.0, 3.0 * radius, 0.0}, -Vec3::UnitY()));
-    Scene cylinder = spheres_over_a_floor({at(radius, 0.0, radius)});
-    scenes::add_vessel(cylinder, 2.0 * radius);
-    for (auto& [scene, area] : {std::pair{&box, 12.0 * square(radius)},
-                                std::pair{&cylinder, 4.0 * pi * square(radius)}}) {
-        Simulation simulation(*scene, 1e-6);
-        simulation.step();
-        const FillHeight height = fill_height(simulation.particles(), simulation.scene());
-        EXPECT_NEAR(height.surface, below / area, 2e-2 * below / area);
-    }
-}
-
-// A sphere in the middle of a cylinder of three radii, whose core is one of one radius; and in the
-// middle of a box of five radii by six, whose core is one by two.
-TEST(SolidFraction, IsThatOfTheWallsNeighborhoodAndOfTheCore) {
-    Scene cylinder = spheres_over_a_floor({at(0.0, 0.0, radius)});
-    scenes::add_vessel(cylinder, 3.0 * radius);
-    Scene box = spheres_over_a_floor({at(0.0, 0.0, radius)});
-    scenes::add_box(box, {-2.5 * radius, -3.0 * radius, 0.0}, {2.5 * radius, 3.0 * radius, 1.0});
-    struct Case {
-        Scene* scene;
-        double area, core;
-    };
-    for (const auto& [scene, area, core] :
-         {Case{&cylinder, 9.0 * pi, 2.0 / 3.0}, Case{&box, 30.0, -1.0}}) {
-        Simulation simulation(*scene, 1e-6);
-        simulation.step();
-        const auto vessel = find_vessel(simulation.scene());
-        ASSERT_TRUE(vessel);
-        const SolidFraction f = solid_fraction(simulation.particles(), simulation.scene(), *vessel,
-                                               {0.0, 2.0 * radius});
-        const double overall = 4.0 / 3.0 * pi / (2.0 * area);
-        EXPECT_NEAR(f.overall, overall, 1e-3);
-        EXPECT_NEAR(f.bulk_density, 2500.0 * f.overall, 1e-9 * f.bulk_density);
-        const double core_area = core > 0.0 ? pi : 2.0;
-        EXPECT_NEAR(f.near_wall * (area - core_area) + f.core * core_area, overall * area, 0.01);
-        if (core > 0.0) {
-            EXPECT_NEAR(f.core, core, 0.005);
-            EXPECT_EQ(f.near_wall, 0.0);
-        }
-        // The thinnest slice is widest in the middle: pi r^2 of the cross-section.
-        const SolidFraction slice = solid_fraction(simulation.particles(), simulation.scene(),
-                                                   *vessel, {0.999 * radius, 1.001 * radius});
-        EXPECT_NEAR(slice.overall, pi / area, 1e-3);
-    }
-}
-
-TEST(SolidFraction, DoesNotCountTheAirUpToTheHighestBody) {
-    std::vector<BodyPlacement> bodies;  // a full layer and one sphere high above it
-    for (int k = 0; k < 9; ++k) {
-        bodies.push_back(at(2.001 * radius * (k % 3 - 1), 2.001 * radius * (k / 3 - 1), radius));
-    }
-    bodies.push_back(at(0.0, 0.0, 20.0 * radius));
-    Scene scene = spheres_over_a_floor(bodies);
-    scenes::add_box(scene, {-3.1 * radius, -3.1 * radius, 0.0}, {3.1 * radius, 3.1 * radius, 1.0});
-    scene.measures = {{"bed", MeasureSettings::Kind::solid_fraction, 0.01}};
-    Simulation simulation(scene, 1e-6);
-    const double surface = fill_height(simulation.particles(), simulation.scene()).surface;
-    const SolidFraction expected = solid_fraction(simulation.particles(), simulation.scene(),
-                                                  *find_vessel(simulation.scene()), {0.0, surface});
-    EXPECT_EQ(measure_values(simulation, simulation.scene().measures.front()).front(),
-              expected.overall);
-    EXPECT_GT(expected.overall, 0.3) << "0.06 up to the highest point";
-    EXPECT_EQ(measure_columns(simulation.scene()).back(), "bed_bulk_density");
-}
-
-TEST(TimeStep, IsAFractionOfTheRayleighTimeForSlowSpheres) {
-    Scene scene = spheres_over_a_floor({at(0.0, 0.0, radius)});
-    const double shear = 1e7 / 2.6;
-    const double expected = pi * radius / (0.8766 + 0.1631 * 0.3) * std::sqrt(2500.0 / shear);
-    EXPECT_NEAR(time_step(scene).rayleigh, expected, 1e-12 * expected);
-    EXPECT_DOUBLE_EQ(time_step(scene).value, time_step(scene).critical / 20.0);
-    // [SR] Eq. 23 in units of time: twice the size, twice the Hertz time.
-    scene.insertions[0].placements[0].velocity.x() = 100.0;
-    const double hertz = time_step(scene).hertz;
-    EXPECT_DOUBLE_EQ(time_step(scene).critical,
-                     std::min({hertz, expected, time_step(scene).motion}));
-    Scene twice = spheres_over_a_floor({at(0.0, 0.0, radius)});
-    twice.insertions[0].placements[0].velocity.x() = 100.0;
-    twice.shapes[0] = scenes::sphere(2.0 * radius);
-    twice.kinds[0].mass *= 8.0;
-    EXPECT_NEAR(time_step(twice).hertz / hertz, 2.0, 1e-3);
-}
-
-TEST(TimeStep, NothingTravelsFurtherThanItsSize) {
-    const auto critical = [](const auto& change) {
-        Scene scene = spheres_over_a_floor({at(0.0, 0.0, radius)});
-        change(scene);
-        return time_step(scene).critical;
-    };
-    const double usual = critical([](Scene&) {});
-    const double shaken = critical([](Scene& scene) {
-        scene.walls[0].motion.kind = WallMotion::Kind::oscillate;
-        scene.walls[0].motion.amplitude = 1e-6;
-        scene.walls[0].motion.frequency = 1e5;
-    });
-    EXPECT_DOUBLE_EQ(shaken, 0.5e-5);
-    const double lifted = critical([](Scene& scene) {
-        scene.walls[0].motion.kind = WallMotion::Kind::translate;
-        scene.walls[0].motion.velocity = {0.0, 0.0, 1e6};
-    });
-    EXPECT_NEAR(lifted, radius / 1e6, 1e-3 * lifted);
-    const double spinning = critical([](Scene& scene) {
-        scene.insertions[0].placements[0].angular_velocity = {0.0, 0.0, 1e8};
-    });
-    EXPECT_NEAR(spinning, 1e-8, 1e-3 * spinning) << "one radian";
-    EXPECT_LT(lifted, usual);
-}
-
-// A spring s times as stiff swings sqrt(s) times as fast; up to Mindlin's stiffness at a Poisson's
-// ratio of zero the step is long enough as it is.
-TEST(TimeStep, ShrinksWithTangentialSpringsThatAreStifferThanMindlins) {
-    Scene scene = spheres_over_a_floor({at(0.0, 0.0, radius)});
-    const double usual = time_step(scene).rayleigh;
-    ContactLaw law = scene.laws.at(0, 0);
-    ASSERT_EQ(law.tangential, ContactLaw::Tangential::mindlin);
-    law.tangential = ContactLaw::Tangential::ratio;
-    for (const double ratio : {2.0 / 7.0, 1.5, 150.0}) {
-        law.stiffness_ratio = ratio;
-        scene.laws.set(0, 0, law);
-        EXPECT_NEAR(time_step(scene).rayleigh, ratio > 1.5 ? 0.1 * usual : usual, 1e-12 * usual);
-    }
-}
-
-TEST(TimeStep, OfTheLinearLawMakesNoEnergyHoweverStrongTheDashpot) {
-    for (const double e : {1e-30, 1e-4, 0.01, 0.1, 0.3, 0.5, 0.8}) {
-        Scene scene = spheres_over_a_floor({at(0.0, 0.0, 1.0001 * radius)});
-        scene.insertions[0].placements[0].velocity.z() = -0.1;
-        const ContactLaw law = linear_law(1e5, e, 1.0, scene.laws.at(0, 0));
-        scene.laws.set(0, 0, law);
-        const TimeStep limit = time_step(scene);
-        const double contact = law.contact_time * std::sqrt(scene.kinds[0].mass / 1e5);
-        if (e >= 0.5)
-            EXPECT_DOUBLE_EQ(limit.linear, 0.4 * std::sqrt(0.5) * contact);
-        else
-            EXPECT_LT(limit.linear, 0.4 * std::sqrt(0.5) * contact);
-        const double before = 0.5 * scene.kinds[0].mass * square(0.1);
-        Simulation simulation(std::move(scene), 0.99 * std::min(limit.linear, limit.motion));
-        for (int step = 0; step < 200; ++step) simulation.step();
-        const Energies after = energies(simulation);
-        EXPECT_LT(after.translational, before) << e;
-    }
-}
-
-TEST(TimeStep, AboveTheCriticalOneIsRefusedUnlessForced) {
-    Scene scene = spheres_over_a_floor({at(0.0, 0.0, radius)});
-    scene.run.time_step = 1.01 * time_step(scene).critical;
-    EXPECT_THROW(time_step(scene), Error);
-    scene.run.time_step_force = true;
-    EXPECT_EQ(time_step(scene).value, *scene.run.time_step);
-}
-
-TEST(TimeStep, MustFitTheRun) {
-    Scene scene = spheres_over_a_floor({at(0.0, 0.0, radius)});
-    EXPECT_EQ(step_count(scene.run, scene.run.end_time / 1000.0, "here"), 1000);
-    EXPECT_EQ(step_count(scene.run, scene.run.end_time / 999.5, "here"), 1000);
-    EXPECT_THROW(step_count(scene.run, 1e-300, "here"), Error);
-    EXPECT_THROW(step_count(scene.run, 0.0, "here"), Error);
-    scene.run.end_time = 1e-7;
-    EXPECT_THROW(time_step(scene), Error) << "an automatic step longer than the run";
 }
 
 }  // namespace

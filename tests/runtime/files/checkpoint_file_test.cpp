@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/error.hpp"
 #include "runtime/files/checkpoint_file.hpp"
+
+#include "common/error.hpp"
 #include "runtime/files/hdf5_file.hpp"
 #include "tests/formats/temporary_folder.hpp"
 
