@@ -5,12 +5,12 @@
 #include "common/math/elementary.hpp"
 #include "runtime/contact/law/pair_law.hpp"
 #include "runtime/domain.hpp"
+#include "runtime/material_use.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <set>
 
 namespace dem::runtime {
 
@@ -37,14 +37,10 @@ struct LinearContacts {
     bool has_other = false;
 };
 
-struct UsedMaterials {
-    std::set<std::uint32_t> bodies, walls;
-};
-
 // The divisor of the critical time holds for k_t up to 1.5 k_n, which no common material exceeds by
 // Mindlin's law (AutomaticStep, tests/physics/contact_energy_test.cpp). A stiffer spring swings
 // faster.
-double tangential_factor(const Scene& scene, const BodyKind& kind, const UsedMaterials& used) {
+double tangential_factor(const Scene& scene, const BodyKind& kind, const MaterialUse& used) {
     constexpr double covered = 1.5;
     double stiffest = covered;
     for (const auto* partners : {&used.bodies, &used.walls}) {
@@ -71,7 +67,7 @@ double motion_time(const Scene& scene, double speed) {
 
 // The shortest contact of a body: with its like of any material, m/2 and R/2, or with a wall. A
 // larger partner only lengthens it.
-double shortest_contact(const Scene& scene, const BodyKind& kind, const UsedMaterials& used,
+double shortest_contact(const Scene& scene, const BodyKind& kind, const MaterialUse& used,
                         double speed) {
     const double radius = equivalent_radius(scene, kind);
     double shortest = infinite;
@@ -95,8 +91,7 @@ double linear_limit(const ContactLaw& law) {
     return std::min(0.4 * law.contact_time, 1.6 * (std::sqrt(1.0 + square(zeta)) - zeta));
 }
 
-LinearContacts linear_contacts(const Scene& scene, const BodyKind& kind,
-                               const UsedMaterials& used) {
+LinearContacts linear_contacts(const Scene& scene, const BodyKind& kind, const MaterialUse& used) {
     LinearContacts contacts;
     const auto look_at = [&](std::uint32_t other, double mass) {
         const ContactLaw& law = scene.laws.at(kind.material, other);
@@ -133,9 +128,7 @@ std::uint64_t step_count(const RunSettings& run, double dt, const std::string& w
 TimeStep time_step(const Scene& scene) {
     const double speed = largest_expected_speed(scene) + largest_rim_speed(scene);
     TimeStep step{infinite, infinite, infinite, motion_time(scene, speed), speed, infinite, 0.0};
-    UsedMaterials used;
-    for (const BodyKind& kind : scene.kinds) used.bodies.insert(kind.material);
-    for (const Wall& wall : scene.walls) used.walls.insert(wall.material);
+    const MaterialUse used = material_use(scene);
     for (const BodyKind& kind : scene.kinds) {
         if (kind.inverse_inertia.mass == 0.0) continue;
         const LinearContacts linear = linear_contacts(scene, kind, used);
@@ -165,7 +158,7 @@ TimeStep time_step(const Scene& scene) {
     }
     if (!has_contact) {
         throw Error(scene.case_path,
-                    "time_step = auto found where no body can move, expected a time_step");
+                    "found time_step = auto where no body can move, expected a time_step");
     }
     step.value = step.critical / scene.run.time_step_divisor;
     if (!(step.value > 0.0 && step.value <= scene.run.end_time)) {

@@ -3,6 +3,7 @@
 #include "common/text.hpp"
 #include "runtime/case/scene_sections.hpp"
 #include "runtime/contact/law/pair_law.hpp"
+#include "runtime/material_use.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,22 +47,6 @@ ContactLaw options(const Values& values) {
     law.rolling = {values.choice<RollingResistance::Model>("rolling_model"),
                    values.number("rolling_friction"), values.number("rolling_damping")};
     return law;
-}
-
-/// Which materials can meet: `particles[m]` when bodies are made of m; walls meet only bodies.
-struct MaterialUse {
-    std::vector<bool> particles, walls;
-    bool can_meet(std::uint32_t a, std::uint32_t b) const {
-        return (particles[a] && (particles[b] || walls[b])) || (particles[b] && walls[a]);
-    }
-};
-
-MaterialUse material_use(const Scene& scene) {
-    MaterialUse use{std::vector<bool>(scene.materials.size()),
-                    std::vector<bool>(scene.materials.size())};
-    for (const BodyKind& kind : scene.kinds) use.particles[kind.material] = true;
-    for (const Wall& wall : scene.walls) use.walls[wall.material] = true;
-    return use;
 }
 
 void check_method(const Scene& scene, const Values& values, const ContactLaw& law, std::uint32_t a,

@@ -3,6 +3,7 @@
 
 #include "common/progress.hpp"
 #include "common/threads/available_cores.hpp"
+#include "runtime/case/law_text.hpp"
 #include "runtime/case/run_cost.hpp"
 #include "runtime/insertion/inserter.hpp"
 #include "runtime/overlap.hpp"
@@ -151,7 +152,7 @@ std::string check_scene(const Scene& scene, std::optional<double> resumed_at) {
     for (std::size_t w = 0; w < scene.walls.size(); ++w) {
         out << (w == 0 ? " (" : ", ") << scene.walls[w].name;
     }
-    out << (scene.walls.empty() ? "\n" : ")\n");
+    out << (scene.walls.empty() ? "\n" : ")\n") << law_text(scene);
     describe(step, scene, out);
     out << foreseen_overlap(scene) << "steps: ";
     const std::uint64_t steps = step_count(scene.run, step.value, scene.case_path);

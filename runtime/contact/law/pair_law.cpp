@@ -18,6 +18,11 @@ void require(bool fine, const char* what, double found, const char* expected) {
     throw Error("contact law", message.str());
 }
 
+// e of |beta| = |ln e| / sqrt(pi^2 + ln^2 e).
+double restitution_of(double beta) {
+    return math::exp(-pi * beta / std::sqrt(1.0 - square(beta)));
+}
+
 void check(const Elasticity& m) {
     require(m.youngs_modulus > 0.0 && std::isfinite(m.youngs_modulus), "Young's modulus",
             m.youngs_modulus, "a positive number of Pa");
@@ -74,6 +79,14 @@ ContactLaw linear_law(double normal_stiffness, double restitution, double tangen
     law.tangential_stiffness = (pi * pi + log_t * log_t) / normal;
     law.tangential_damping = -2.0 * log_t / law.contact_time;
     return law;
+}
+
+Restitution restitution(const ContactLaw& law) {
+    if (law.model == ContactLaw::Model::hertz)
+        return {restitution_of(law.damping / std::sqrt(5.0)), 1.0};
+    // -2 ln e_t over the same root as that of e_n.
+    return {restitution_of(0.5 * law.damping),
+            math::exp(-0.5 * law.tangential_damping * law.contact_time)};
 }
 
 }  // namespace dem::runtime

@@ -28,4 +28,10 @@ ContactLaw pair_law(const Elasticity& a, const Elasticity& b, double restitution
 ContactLaw linear_law(double normal_stiffness, double restitution, double tangential_restitution,
                       const ContactLaw& options = {});
 
+/// The coefficients of restitution that a law was made with; the tangential one of Hertz's is 1.
+struct Restitution {
+    double normal = 1.0, tangential = 1.0;
+};
+Restitution restitution(const ContactLaw& law);
+
 }  // namespace dem::runtime
