@@ -13,7 +13,7 @@ using enum OptionType;
 // Ways to make a shape, of which a command line takes one.
 constexpr OtherOptions other_modes{"sr|sphere|clump|clump-spheres|clump-error|convex"};
 
-constexpr OtherOptions a_revolution{"sr|sphere",
+constexpr OtherOptions a_revolution{"sr",
                                     "with a shape of another kind, expected it with --sr only"};
 constexpr OtherOptions a_clump{
     "clump|clump-spheres|clump-error",

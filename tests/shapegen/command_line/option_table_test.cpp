@@ -137,5 +137,13 @@ TEST(OptionTable, EveryOptionIsRefusedWithoutWhatItNeedsAndWithWhatItExcludes) {
     EXPECT_GE(needing, 12);
 }
 
+TEST(OptionTable, NodesAndCellsAreRefusedForAnExactSphereWhichHasNone) {
+    for (const std::string option : {"nodes", "base-cells", "interface-cells", "corner-cells"}) {
+        EXPECT_EQ(
+            refusal({"x.profile", "--sphere", "--" + option, "200"}),
+            "--" + option + ": found it with a shape of another kind, expected it with --sr only");
+    }
+}
+
 }  // namespace
 }  // namespace dem::shapegen
