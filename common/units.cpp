@@ -140,20 +140,19 @@ double unit_factor(std::string_view unit, Dimension dimension) {
 double parse_quantity(std::string_view text, Dimension dimension) {
     const std::string_view whole = trimmed(text);
     const NumberAhead number = number_ahead(whole);
-    const std::string found = in_quotes(whole);
-    const std::string beyond = " found, expected a number within the range of double precision";
+    const std::string found =
+        "found " + (whole.empty() ? std::string("nothing") : in_quotes(whole));
+    const std::string beyond = ", expected a number within the range of double precision";
     if (number.error == std::errc::result_out_of_range) throw Error(found + beyond);
-    if (number.error != std::errc()) {
-        throw Error((whole.empty() ? std::string("nothing") : found) + " found, expected " +
-                    with_article(expectation(dimension)));
-    }
+    if (number.error != std::errc())
+        throw Error(found + ", expected " + with_article(expectation(dimension)));
     const std::string_view unit = trimmed(number.rest);
-    if (!number.is_finite()) throw Error(found + " found, expected a finite number");
+    if (!number.is_finite()) throw Error(found + ", expected a finite number");
     if (!unit.empty() &&
         (std::isdigit(static_cast<unsigned char>(unit[0])) != 0 ||
          unit.find_first_of(" \t,;") != std::string_view::npos) &&
         unit != "1/s") {
-        throw Error(found + " found, expected one " + expectation(dimension));
+        throw Error(found + ", expected one " + expectation(dimension));
     }
     double factor = 1.0;
     try {

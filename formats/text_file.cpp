@@ -62,7 +62,7 @@ std::string read_text_file(const std::string& path, const std::string& kind, std
         size += static_cast<std::size_t>(more);
         if (size > most_mb << 20U)
             throw Error(path,
-                        "more than " + std::to_string(most_mb) + " MB found, expected a " + kind);
+                        "found more than " + std::to_string(most_mb) + " MB, expected a " + kind);
         if (size == bytes.size()) bytes.resize(2 * bytes.size());
     }
     if (more < 0) throw Error(path, "cannot be read to its end, expected a " + kind);

@@ -54,7 +54,7 @@ void check_text(std::string_view text, const std::string& place, bool count_line
         char hex[8];
         std::snprintf(hex, sizeof hex, "0x%02x", byte);
         throw Error(count_lines ? place + ":" + std::to_string(line) : place,
-                    std::string("byte ") + hex + " found, expected text");
+                    "found " + std::string("byte ") + hex + ", expected text");
     }
 }
 
@@ -76,7 +76,7 @@ class Parser {
 
     CaseFile result() {
         if (file_.sections.empty()) {
-            throw Error(file_.path, "no section found, expected a case file with [run] and others");
+            throw Error(file_.path, "found no section, expected a case file with [run] and others");
         }
         return std::move(file_);
     }
@@ -106,7 +106,8 @@ class Parser {
     void parse_entry(std::string_view line) {
         const std::size_t equals = line.find('=');
         if (equals == std::string_view::npos) {
-            throw Error(where(), in_quotes(line) + " found, expected 'key = value' or '[section]'");
+            throw Error(where(),
+                        "found " + in_quotes(line) + ", expected 'key = value' or '[section]'");
         }
         const std::string_view key = trimmed(line.substr(0, equals));
         const std::string_view value = trimmed(line.substr(equals + 1));
@@ -174,7 +175,8 @@ void override_value(CaseFile& file, std::string_view assignment) {
     const std::string_view key = split ? name.substr(dot + 1) : std::string_view();
     const std::string_view value = split ? trimmed(assignment.substr(equals + 1)) : key;
     if (!is_name(section, true) || !is_name(key, false) || value.empty()) {
-        throw UsageError("--set", in_quotes(assignment) + " found, expected section.key=value");
+        throw UsageError("--set",
+                         "found " + in_quotes(assignment) + ", expected section.key=value");
     }
     const std::string where = "--set " + std::string(name);
     check_text(value, where, false);

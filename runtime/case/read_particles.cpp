@@ -22,10 +22,10 @@ void check_standing(const Values& values, const InsertionGroup& group) {
     for (const BodyPlacement& body : group.placements) {
         if (stands(body.velocity, body.angular_velocity)) continue;
         throw Error(group.file + ":" + std::to_string(body.line),
-                    "a velocity found for a fixed body, expected none");
+                    "found a velocity for a fixed body, expected none");
     }
     if (!stands(group.velocity, group.angular_velocity)) {
-        throw Error(values.where("fixed"), "'yes' found with a velocity, expected one of them");
+        throw Error(values.where("fixed"), "found 'yes' with a velocity, expected one of them");
     }
 }
 

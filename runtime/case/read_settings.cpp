@@ -19,15 +19,15 @@ RunSettings read_run(const Values& values) {
     run.overlap_limit = values.number("overlap_limit");
     run.skin = values.optional_number("skin");
     if (run.time_step && *run.time_step > run.end_time) {
-        throw Error(values.where("time_step"), in_quotes(values.text("time_step")) +
-                                                   " found, expected less than end_time = " +
-                                                   in_quotes(values.text("end_time")));
+        throw Error(values.where("time_step"),
+                    "found " + in_quotes(values.text("time_step")) +
+                        ", expected less than end_time = " + in_quotes(values.text("end_time")));
     }
     if (values.has("domain")) {
         const Region region = values.region("domain");
         const auto* box = std::get_if<BoxRegion>(&region);
         if (box == nullptr) {
-            throw Error(values.where("domain"), "a cylinder found, expected 'box x y z  x y z'");
+            throw Error(values.where("domain"), "found a cylinder, expected 'box x y z  x y z'");
         }
         run.domain = box->box;
     }
@@ -81,9 +81,9 @@ MeasureSettings read_measure(const Values& values) {
         measure.bottom = values.number("bottom");
         measure.top = values.optional_number("top");
         if (measure.top && *measure.top <= measure.bottom)
-            throw Error(values.where("top"), in_quotes(values.text("top")) +
-                                                 " found, expected more than bottom = " +
-                                                 in_quotes(values.text("bottom")));
+            throw Error(values.where("top"),
+                        "found " + in_quotes(values.text("top")) +
+                            ", expected more than bottom = " + in_quotes(values.text("bottom")));
     }
     return measure;
 }

@@ -48,7 +48,7 @@ void read_cylinder(const Values& values, const Wall& base, Scene& scene) {
     const bool top = ends == "top" || ends == "both";
     if (top && !length) {
         throw Error(values.where("ends"),
-                    "a top found on an infinite cylinder, expected "
+                    "found a top on an infinite cylinder, expected "
                     "'length' to say where it is");
     }
     // Faces overlap where they meet: a body pressed into the corner touches each a little outside
@@ -129,8 +129,8 @@ WallMotion read_motion(const Values& values, Shape shape) {
     motion.until = values.optional_number("until").value_or(motion.until);
     if (!(motion.until > motion.from)) {
         throw Error(values.where("until"),
-                    in_quotes(values.text("until")) +
-                        " found, expected later than from = " + in_quotes(values.text("from")));
+                    "found " + in_quotes(values.text("until")) +
+                        ", expected later than from = " + in_quotes(values.text("from")));
     }
     return motion;
 }

@@ -72,7 +72,8 @@ std::vector<double> parse_quantities(std::string_view text, Dimension dimension)
         if (!number.rest.empty()) apply(number.rest);
     }
     if (any_unit && without_unit > 0) {
-        throw Error(in_quotes(text) + " found, expected a unit after every number or after none");
+        throw Error("found " + in_quotes(text) +
+                    ", expected a unit after every number or after none");
     }
     return values;
 }
@@ -81,20 +82,20 @@ Region parse_region(std::string_view text) {
     const auto words = blank_separated(text);
     const std::string_view shape = words.front();
     if (shape != "box" && shape != "cylinder") {
-        throw Error(in_quotes(shape) +
-                    " found, expected a region: 'box x y z  x y z' or 'cylinder x "
+        throw Error("found " + in_quotes(shape) +
+                    ", expected a region: 'box x y z  x y z' or 'cylinder x "
                     "y z  x y z  radius', with units");
     }
     const std::size_t expected = shape == "box" ? 6 : 7;
     const auto v = parse_quantities(text.substr(shape.size()), Dimension::length);
     if (v.size() != expected) {
-        throw Error(std::to_string(v.size()) + " numbers found after " + in_quotes(shape) +
+        throw Error("found " + std::to_string(v.size()) + " numbers after " + in_quotes(shape) +
                     ", expected " + std::to_string(expected));
     }
     for (const double length : v) {
         if (std::abs(length) <= farthest_coordinate) continue;
         throw Error(
-            "a coordinate beyond 1e6 m found, expected the region within 1e6 m of the "
+            "found a coordinate beyond 1e6 m, expected the region within 1e6 m of the "
             "origin");
     }
     const Vec3 first(v[0], v[1], v[2]);
@@ -102,15 +103,15 @@ Region parse_region(std::string_view text) {
     if (shape == "box") {
         if (!(first.array() < second.array()).all()) {
             throw Error(
-                "a second corner that is not above the first found, expected x, y and z above "
+                "found a second corner that is not above the first, expected x, y and z above "
                 "those "
                 "of the first");
         }
         return BoxRegion{{first, second}};
     }
     if (first == second)
-        throw Error("the same point found for both ends of the axis, expected a length");
-    if (!(v[6] > 0.0)) throw Error("radius of the cylinder found <= 0, expected > 0");
+        throw Error("found the same point for both ends of the axis, expected a length");
+    if (!(v[6] > 0.0)) throw Error("found a radius of the cylinder <= 0, expected > 0");
     return CylinderRegion{first, second, v[6]};
 }
 
@@ -201,7 +202,7 @@ std::size_t Values::choice_index(std::string_view key) const {
 void Values::check_range(const Key& key, double value) const {
     if (key.range.contains(value)) return;
     throw Error(where(key.name),
-                in_quotes(text(key.name)) + " found, expected " + range_text(key.range));
+                "found " + in_quotes(text(key.name)) + ", expected " + range_text(key.range));
 }
 
 double Values::number(std::string_view key) const {
@@ -233,7 +234,7 @@ std::uint64_t Values::count(std::string_view key) const {
     const std::string value = text(key);
     const auto n = whole_number(value);
     if (!n) {
-        throw Error(where(key), in_quotes(value) + " found, expected a whole number " +
+        throw Error(where(key), "found " + in_quotes(value) + ", expected a whole number " +
                                     range_text(key_of(key).range));
     }
     check_range(key_of(key), static_cast<double>(*n));
@@ -243,7 +244,7 @@ std::uint64_t Values::count(std::string_view key) const {
 bool Values::yes_no(std::string_view key) const {
     const std::string value = text(key);
     if (value != "yes" && value != "no") {
-        throw Error(where(key), in_quotes(value) + " found, expected yes or no");
+        throw Error(where(key), "found " + in_quotes(value) + ", expected yes or no");
     }
     return value == "yes";
 }
@@ -256,7 +257,7 @@ Vec3 Values::vector(std::string_view key) const {
         throw Error(where(key), error.what());
     }
     if (v.size() != 3) {
-        throw Error(where(key), in_quotes(text(key)) + " found, expected three numbers x y z");
+        throw Error(where(key), "found " + in_quotes(text(key)) + ", expected three numbers x y z");
     }
     return {v[0], v[1], v[2]};
 }
@@ -264,7 +265,7 @@ Vec3 Values::vector(std::string_view key) const {
 Vec3 Values::direction(std::string_view key) const {
     const Vec3 v = vector(key);
     const double length = v.stableNorm();
-    if (!(length > 0.0)) throw Error(where(key), "a zero vector found, expected a direction");
+    if (!(length > 0.0)) throw Error(where(key), "found a zero vector, expected a direction");
     return v / length;
 }
 
@@ -280,7 +281,7 @@ std::optional<Quat> Values::optional_orientation(std::string_view key) const {
     const Quat q = v.size() == 4 ? Quat(v[0], v[1], v[2], v[3]) : Quat(0.0, 0.0, 0.0, 0.0);
     if (v.size() != 4 || !(q.norm() > 0.0)) {
         throw Error(where(key),
-                    in_quotes(value) + " found, expected 'random' or a quaternion w x y z");
+                    "found " + in_quotes(value) + ", expected 'random' or a quaternion w x y z");
     }
     return q.normalized();
 }

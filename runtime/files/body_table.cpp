@@ -61,21 +61,21 @@ std::vector<Column> parse_header(const std::vector<std::string>& fields, const s
     const auto parts =
         std::count_if(columns.begin(), columns.end(), [](Column c) { return c >= qw && c <= qz; });
     if (parts != 0 && parts != 4) {
-        throw Error(place, std::to_string(parts) +
-                               " of qw, qx, qy and qz found, expected all or none of them");
+        throw Error(place, "found " + std::to_string(parts) +
+                               " of qw, qx, qy and qz, expected all or none of them");
     }
     return columns;
 }
 
 std::uint64_t count(const std::string& field) {
     const auto value = whole_number(field);
-    if (!value) throw Error(in_quotes(field) + " found, expected a whole number");
+    if (!value) throw Error("found " + in_quotes(field) + ", expected a whole number");
     return *value;
 }
 
 double number(const std::string& field) {
     const auto value = finite_number(field);
-    if (!value) throw Error(in_quotes(field) + " found, expected a finite number");
+    if (!value) throw Error("found " + in_quotes(field) + ", expected a finite number");
     return *value;
 }
 

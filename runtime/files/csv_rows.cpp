@@ -54,7 +54,7 @@ std::string_view CsvRows::plain_field() {
     const std::string_view ahead = rest_.substr(0, longest_field);
     const std::size_t end = std::min(ahead.find_first_of(",\n"), ahead.size());
     if (end == longest_field)
-        throw Error(place(), "a field of more than 64 kB found, expected a comma-separated table");
+        throw Error(place(), "found a field of more than 64 kB, expected a comma-separated table");
     const std::string_view field = rest_.substr(0, end);
     rest_.remove_prefix(end);
     return trimmed(field);
@@ -81,7 +81,7 @@ bool CsvRows::next(std::vector<std::string>& fields) {
     row_line_ = line_;
     while (true) {
         if (fields.size() == most_fields)
-            throw Error(place(), "more than 1000 fields found, expected a comma-separated table");
+            throw Error(place(), "found more than 1000 fields, expected a comma-separated table");
         const std::size_t start = std::min(rest_.find_first_not_of(" \t"), rest_.size());
         if (rest_.substr(start).starts_with('"')) {
             rest_.remove_prefix(start);

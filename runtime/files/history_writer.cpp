@@ -39,7 +39,7 @@ HistoryWriter::HistoryWriter(const std::filesystem::path& path,
     std::string line;
     if (!in || !std::getline(in, line) || line != header(columns)) {
         throw Error(path.string(),
-                    "other columns found than this case writes, expected the history of the run "
+                    "found other columns than this case writes, expected the history of the run "
                     "that is resumed");
     }
     std::uint64_t found = 0;
@@ -51,12 +51,12 @@ HistoryWriter::HistoryWriter(const std::filesystem::path& path,
         add_to_hash(line);
     }
     if (found < rows) {
-        throw Error(path.string(), std::to_string(found) + " rows found, expected the " +
+        throw Error(path.string(), "found " + std::to_string(found) + " rows, expected the " +
                                        std::to_string(rows) + " written before the checkpoint");
     }
     if (hash_.value() != hash) {
         throw Error(path.string(),
-                    "rows changed since they were written found, expected the history of the run "
+                    "found rows changed since they were written, expected the history of the run "
                     "that is resumed");
     }
     in.close();

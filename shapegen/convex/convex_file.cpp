@@ -32,11 +32,12 @@ std::vector<Vec3> points(const ProfileText& text) {
     for (const auto& [row, line] : text.statements) {
         const auto cells = columns(row);
         if (cells.size() != 3)
-            throw Error(text.place(line), in_quotes(row) + " found, expected a point 'x y z'");
+            throw Error(text.place(line), "found " + in_quotes(row) + ", expected a point 'x y z'");
         result.emplace_back(text.length(cells[0], line), text.length(cells[1], line),
                             text.length(cells[2], line));
         if (!(result.back().cwiseAbs().maxCoeff() <= most_length))
-            throw Error(text.place(line), in_quotes(row) + " found, expected a point within 1e6 m");
+            throw Error(text.place(line),
+                        "found " + in_quotes(row) + ", expected a point within 1e6 m");
     }
     return result;
 }
@@ -155,7 +156,7 @@ std::optional<Rounding> wanted_rounding(const ProfileText& text, const NamedConv
                                         const std::optional<Rounding>& from_command_line) {
     if (from_command_line) {
         if (!shape.has_edges)
-            throw Error(text.path, "--rounding found, expected none: a " + shape.name +
+            throw Error(text.path, "found --rounding, expected none: a " + shape.name +
                                        " has no edges to round");
         return from_command_line;
     }
@@ -225,8 +226,8 @@ ConvexFile convex(std::string_view bytes, const ProfileText& text, const NamedCo
     check_parameters(text, shape.parameters);
     if (!text.statements.empty() && shape.name != "polyhedron")
         throw Error(text.place(text.statements.front().line),
-                    in_quotes(text.statements.front().text) +
-                        " found, expected only parameters of shape " + in_quotes(shape.name));
+                    "found " + in_quotes(text.statements.front().text) +
+                        ", expected only parameters of shape " + in_quotes(shape.name));
     ConvexFile file;
     std::optional<std::string> place;
     if (const auto setting = text.settings.find("rounding"); setting != text.settings.end())
@@ -249,7 +250,7 @@ ConvexFile parse_convex(std::string_view bytes, const std::string& path,
         throw Error(path, "the file is empty, expected a convex shape");
     if (!text.settings.contains("shape"))
         throw Error(path,
-                    "no shape found, expected 'shape = cuboid' or another of "
+                    "found no shape, expected 'shape = cuboid' or another of "
                     "docs/convex-file.md");
     return convex(bytes, text, find_named(text, shapes()), rounding);
 }

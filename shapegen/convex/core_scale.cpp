@@ -15,7 +15,7 @@ double core_scale(const ConvexPolyhedron& core, double rounding, double volume) 
     const double ball = 4.0 / 3.0 * pi * cube(rounding);
     if (!(ball < volume))
         throw Error(
-            format("a rounding of %.4g m found, which alone has more volume than the %.4g "
+            format("found a rounding of %.4g m, which alone has more volume than the %.4g "
                    "m^3 wanted, expected a smaller one",
                    rounding, volume));
     const double slabs = sharp.area * rounding;

@@ -22,16 +22,16 @@ Rounding parse_rounding(std::string_view text, double unit) {
         rounding.value = finite_number(text.substr(0, text.size() - 1)).value_or(-1.0) / 100.0;
     } else if (number) {
         if (unit == 0.0)
-            throw Error(in_quotes(text) +
-                        " found, expected a length with its unit (0.1 mm) or a percentage of the "
+            throw Error("found " + in_quotes(text) +
+                        ", expected a length with its unit (0.1 mm) or a percentage of the "
                         "equivalent diameter (1%)");
         rounding = {*number * unit, false};
     } else {
         rounding = {parse_quantity(text, Dimension::length), false};
     }
     if (!(rounding.value >= 0.0))
-        throw Error(in_quotes(text) +
-                    " found, expected zero or more: a length (0.1 mm) or a percentage of the "
+        throw Error("found " + in_quotes(text) +
+                    ", expected zero or more: a length (0.1 mm) or a percentage of the "
                     "equivalent diameter (1%)");
     return rounding;
 }

@@ -76,7 +76,7 @@ void check_size(std::uint64_t count, std::uint64_t made, std::uint64_t bytes,
     if (static_cast<double>(count) <= most) return;
     std::array<char, 200> text{};
     std::snprintf(text.data(), text.size(),
-                  "%llu shapes found, expected at most %.0f: a template holds 2 GB, each of these "
+                  "found %llu shapes, expected at most %.0f: a template holds 2 GB, each of these "
                   "takes %.0f bytes; write several, each with its own --seed",
                   static_cast<unsigned long long>(count), std::floor(most / 1000.0) * 1000.0, each);
     throw Error(path.string(), text.data());

@@ -161,8 +161,8 @@ ProfileDraft named_shape(const ProfileText& text) {
     check_parameters(text, shape.parameters);
     if (!text.statements.empty())
         throw Error(text.place(text.statements.front().line),
-                    in_quotes(text.statements.front().text) +
-                        " found, expected only parameters of shape " + in_quotes(shape.name));
+                    "found " + in_quotes(text.statements.front().text) +
+                        ", expected only parameters of shape " + in_quotes(shape.name));
     ProfileDraft draft;
     const std::string label = text.place(text.settings.find("shape")->second.line);
     for (const ProfileSegment& segment : shape.make(ShapeParameters(text)))

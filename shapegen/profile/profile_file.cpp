@@ -39,7 +39,8 @@ ProfileDraft parse_table(const ProfileText& text, std::size_t first_row) {
         const auto& [row, line] = text.statements[i];
         const auto cells = columns(row);
         if (cells.size() != 2)
-            throw Error(text.place(line), in_quotes(row) + " found, expected two numbers 'r z'");
+            throw Error(text.place(line),
+                        "found " + in_quotes(row) + ", expected two numbers 'r z'");
         const Vec2 point(text.length(cells[0], line), text.length(cells[1], line));
         if (point.x() < 0.0)
             throw Error(text.place(line),
@@ -49,7 +50,7 @@ ProfileDraft parse_table(const ProfileText& text, std::size_t first_row) {
         last = point;
     }
     if (draft.segments.empty())
-        throw Error(text.path, "one point found, expected at least two different ones");
+        throw Error(text.path, "found one point, expected at least two different ones");
     return draft;
 }
 
@@ -70,7 +71,7 @@ ProfileDraft parse_statements(const ProfileText& text) {
                                                       ", expected 'units' or 'shape'" +
                                                       suggestion(name, settings));
     if (text.statements.empty())
-        throw Error(text.path, "no profile found, expected 'shape = ...', a path or a table");
+        throw Error(text.path, "found no profile, expected 'shape = ...', a path or a table");
     const std::string_view first = first_word(text.statements.front().text);
     if (starts_a_number(first) || is_not_a_number(first)) return parse_table(text, 0);
     if (is_path_command(first)) return parse_path(text);

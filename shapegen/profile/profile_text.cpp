@@ -22,7 +22,7 @@ void check_bytes(std::string_view line, const std::string& place) {
         if ((byte >= 32 && byte != 127) || is_blank(c)) continue;
         char hex[8];
         std::snprintf(hex, sizeof hex, "0x%02x", byte);
-        throw Error(place, std::string("byte ") + hex + " found, expected text");
+        throw Error(place, "found " + std::string("byte ") + hex + ", expected text");
     }
 }
 
@@ -31,7 +31,7 @@ void add_setting(std::string_view line, std::size_t number, ProfileText& result)
     const std::string_view key = trimmed(line.substr(0, equals));
     const std::string_view value = trimmed(line.substr(equals + 1));
     if (key.empty() || value.empty())
-        throw Error(result.place(number), in_quotes(line) + " found, expected 'name = value'");
+        throw Error(result.place(number), "found " + in_quotes(line) + ", expected 'name = value'");
     const auto [entry, is_new] = result.settings.emplace(key, ProfileText::Setting{value, number});
     if (!is_new)
         throw Error(result.place(number), in_quotes(key) + " given again, expected it once (line " +
@@ -60,8 +60,8 @@ ProfileText parse_profile_text(std::string_view text, const std::string& path, d
         std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
         if (++number > most_profile_lines)
-            throw Error(path, "more than " + std::to_string(most_profile_lines) +
-                                  " lines found, expected a profile of at most that many points");
+            throw Error(path, "found more than " + std::to_string(most_profile_lines) +
+                                  " lines, expected a profile of at most that many points");
         check_bytes(line, result.place(number));
         line = trimmed(line.substr(0, line.find('#')));
         if (line.empty()) continue;

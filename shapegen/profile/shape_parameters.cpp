@@ -41,7 +41,7 @@ double ShapeParameters::number(std::string_view name) const {
 void ShapeParameters::fail(std::string_view name, const std::string& expected) const {
     const auto& [value, line] = text_.settings.find(name)->second;
     throw Error(text_.place(line),
-                std::string(name) + " = " + in_quotes(value) + " found, expected " + expected);
+                "found " + std::string(name) + " = " + in_quotes(value) + ", expected " + expected);
 }
 
 const ProfileText::Setting& ShapeParameters::setting(std::string_view name,

@@ -28,7 +28,7 @@ class ShapeParameters {
     double radius() const;                               ///< `radius`, or half of `diameter` [m]
     double number(std::string_view name) const;
 
-    /// "'name = value' found, expected ...".
+    /// "found 'name = value', expected ...".
     [[noreturn]] void fail(std::string_view name, const std::string& expected) const;
 
   private:

@@ -23,7 +23,7 @@ TEST_F(Demrun, AWrongCommandLineIsTwo) {
 
 TEST_F(Demrun, AnOverrideWithoutItsQuotesIsExplained) {
     const std::string expected =
-        "demrun: error: --set: 's' found after 'run.end_time=3', expected quotes around a value "
+        "demrun: error: --set: found 's' after 'run.end_time=3', expected quotes around a value "
         "with blanks: --set 'run.end_time=3 s'\n";
     for (const char* arguments :
          {"case.ini --set run.end_time=3 s", "case.ini --set=run.end_time=3 s",
@@ -43,7 +43,7 @@ TEST_F(Demrun, NoMessageHasTwoLines) {
 
 TEST_F(Demrun, ADeviceIsNoCaseTemplateOrTable) {
     EXPECT_EQ(demrun("/dev/zero").errors,
-              "demrun: error: /dev/zero: more than 16 MB found, expected a case file\n");
+              "demrun: error: /dev/zero: found more than 16 MB, expected a case file\n");
     const std::string device = " is a device, expected a ";
     EXPECT_EQ(demrun("case.ini --set particles.t.template=/dev/zero --set particles.t.material=m "
                      "--set particles.t.count=1 --set 'particles.t.region=box 0 0 0 1 1 1 mm'")
@@ -269,8 +269,9 @@ TEST_F(Demrun, CountsMayHaveAnExponentOrAPoint) {
         const Outcome outcome =
             demrun("case.ini --check --set particles.balls.count=" + std::string(count));
         EXPECT_EQ(outcome.code, 1);
-        EXPECT_TRUE(outcome.errors.starts_with("demrun: error: --set particles.balls.count: '" +
-                                               std::string(count) + "' found, expected "))
+        EXPECT_TRUE(
+            outcome.errors.starts_with("demrun: error: --set particles.balls.count: found '" +
+                                       std::string(count) + "', expected "))
             << outcome.errors;
     }
 }

@@ -159,8 +159,8 @@ class Page : public testing::TestWithParam<std::string> {
             run_shell("python3 -c 'import ast; ast.parse(open(\"block.py\").read())'", place);
         } else {
             EXPECT_TRUE(language == "ini" || language == "text")
-                << place << ": '" << language
-                << "' found, expected ini, profile, convex, sh, console, python or text";
+                << place << ": found '" << language
+                << "', expected ini, profile, convex, sh, console, python or text";
         }
     }
 

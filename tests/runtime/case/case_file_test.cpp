@@ -53,7 +53,7 @@ TEST(CaseFile, AByteOrderMarkIsSkipped) {
 
 TEST(CaseFile, EveryErrorNamesTheLine) {
     EXPECT_EQ(message_of("[run]\n\nend_time\n"),
-              "c.ini:3: 'end_time' found, expected 'key = value' or '[section]'");
+              "c.ini:3: found 'end_time', expected 'key = value' or '[section]'");
     EXPECT_EQ(message_of("[run]\na = 1\nb = 2\na = 3\n"),
               "c.ini:4: key 'a' given twice in [run], expected it once (first at c.ini:2)");
     EXPECT_EQ(message_of("[run]\n[wall.a]\n[run]\n"),
@@ -70,11 +70,11 @@ TEST(CaseFile, EveryErrorNamesTheLine) {
 TEST(CaseFile, AnEmptyOrBinaryFileIsNoCase) {
     for (const std::string text : {"", "\n\n", "# only a comment\n"}) {
         EXPECT_EQ(message_of(text),
-                  "c.ini: no section found, expected a case file with [run] and others");
+                  "c.ini: found no section, expected a case file with [run] and others");
     }
     EXPECT_EQ(message_of(std::string("[run]\nx = \0\n", 11)),
-              "c.ini:2: byte 0x00 found, expected text");
-    EXPECT_EQ(message_of("\x89HDF\r\n\x1a\n"), "c.ini:2: byte 0x1a found, expected text");
+              "c.ini:2: found byte 0x00, expected text");
+    EXPECT_EQ(message_of("\x89HDF\r\n\x1a\n"), "c.ini:2: found byte 0x1a, expected text");
 }
 
 TEST(CaseFile, AMissingFileOrAFolderIsNamed) {
@@ -96,17 +96,17 @@ TEST(CaseFile, ADeviceThatNeverEndsIsRefused) {
         read_case_file("/dev/zero");
         FAIL();
     } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "/dev/zero: more than 16 MB found, expected a case file");
+        EXPECT_STREQ(error.what(), "/dev/zero: found more than 16 MB, expected a case file");
     }
 }
 
 TEST(CaseFile, AQuotedLineIsShortAndReadable) {
     const std::string line(3'000'000, 'a');
-    EXPECT_EQ(message_of("[run]\n" + line + "\n"),
-              "c.ini:2: '" + std::string(40, 'a') + "..." + std::string(17, 'a') +
-                  "' found, expected 'key = value' or '[section]'");
+    EXPECT_EQ(message_of("[run]\n" + line + "\n"), "c.ini:2: found '" + std::string(40, 'a') +
+                                                       "..." + std::string(17, 'a') +
+                                                       "', expected 'key = value' or '[section]'");
     EXPECT_EQ(message_of("[run]\nx\ry\tz\n"),
-              "c.ini:2: 'x\\ry\\tz' found, expected 'key = value' or '[section]'");
+              "c.ini:2: found 'x\\ry\\tz', expected 'key = value' or '[section]'");
     EXPECT_LT(message_of("[" + line + "]\n").size(), 200U);
     EXPECT_LT(message_of("[run]\n" + line + " = 1\n").size(), 200U);
 }

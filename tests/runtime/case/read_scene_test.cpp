@@ -127,7 +127,7 @@ TEST(ReadScene, AFixedBodyHasNoVelocity) {
     EXPECT_EQ(case_message(sphere_case(), "particles.balls.fixed=yes"), "fine");
     EXPECT_EQ(case_message(sphere_case(), "particles.balls.fixed=yes",
                            "particles.balls.velocity=0 0 1 mm/s"),
-              "--set particles.balls.fixed: 'yes' found with a velocity, expected one of them");
+              "--set particles.balls.fixed: found 'yes' with a velocity, expected one of them");
 }
 
 TEST(ReadScene, KeysOfAnotherLawAreRefused) {
@@ -145,7 +145,7 @@ TEST(ReadScene, KeysOfAnotherLawAreRefused) {
 
 TEST(ReadScene, WhatDoublesCannotTellApartIsRefused) {
     EXPECT_EQ(case_message(sphere_case(), "particles.balls.region=box 0 0 0 1e16 1e16 1e16 m"),
-              "--set particles.balls.region: a coordinate beyond 1e6 m found, expected the region "
+              "--set particles.balls.region: found a coordinate beyond 1e6 m, expected the region "
               "within 1e6 m of the origin");
     EXPECT_EQ(
         case_message(sphere_case(), "particles.balls.radius=1e-12",
@@ -187,7 +187,7 @@ TEST(ReadScene, MistakesAreNamedWithTheirLine) {
               "c.ini:16: radius: both template and radius in [particles.balls], expected one of "
               "them");
     EXPECT_EQ(case_message(sphere_case(), "run.time_step=2 s"),
-              "--set run.time_step: '2 s' found, expected less than end_time = '1 s'");
+              "--set run.time_step: found '2 s', expected less than end_time = '1 s'");
     EXPECT_EQ(case_message("[run]\nend_time = 1\n"),
               "c.ini: no section [particles.NAME], it is required");
     const std::string missing =

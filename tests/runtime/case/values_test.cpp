@@ -88,9 +88,9 @@ TEST(Values, AKeyOfAnotherChoiceIsRefused) {
 TEST(Values, EveryWrongValueHasItsLine) {
     const auto end_time = [](const Values& v) { v.number("end_time"); };
     EXPECT_EQ(message("[run]\nend_time = -4 s\n", end_time),
-              "c.ini:2: end_time: '-4 s' found, expected > 0");
+              "c.ini:2: end_time: found '-4 s', expected > 0");
     EXPECT_EQ(message("[run]\nend_time = 0\n", end_time),
-              "c.ini:2: end_time: '0' found, expected > 0");
+              "c.ini:2: end_time: found '0', expected > 0");
     for (const char* bad : {"4 kg", "nan", "inf", "4 mm", "4 s s", "four", "1e999"}) {
         const std::string text = message("[run]\nend_time = " + std::string(bad) + "\n", end_time);
         EXPECT_TRUE(text.starts_with("c.ini:2: end_time: ")) << text;
@@ -101,15 +101,15 @@ TEST(Values, EveryWrongValueHasItsLine) {
     }
     const auto friction = [](const Values& v) { v.optional_number("friction"); };
     EXPECT_EQ(message("[contact]\nfriction = -0.1\n", friction),
-              "c.ini:2: friction: '-0.1' found, expected >= 0");
+              "c.ini:2: friction: found '-0.1', expected >= 0");
     const auto restitution = [](const Values& v) { v.optional_number("restitution"); };
     EXPECT_EQ(message("[contact]\nrestitution = 1.1\n", restitution),
-              "c.ini:2: restitution: '1.1' found, expected > 0 and <= 1");
+              "c.ini:2: restitution: found '1.1', expected > 0 and <= 1");
     const auto gravity = [](const Values& v) { v.vector("gravity"); };
     EXPECT_EQ(message("[run]\nend_time=1\ngravity = 0 -9.81\n", gravity),
-              "c.ini:3: gravity: '0 -9.81' found, expected three numbers x y z");
+              "c.ini:3: gravity: found '0 -9.81', expected three numbers x y z");
     EXPECT_EQ(message("[run]\nend_time=1\ngravity = 0 0 +-9.81\n", gravity),
-              "c.ini:3: gravity: '+-9.81' found, expected an acceleration (m/s^2 or mm/s^2)");
+              "c.ini:3: gravity: found '+-9.81', expected an acceleration (m/s^2 or mm/s^2)");
 }
 
 TEST(Values, AChoiceThatIsNotThereSuggestsOneThatIs) {
@@ -142,7 +142,7 @@ TEST(Values, ASizeIsARadiusOrADiameter) {
                       [](const Values& v) { v.radius(); }),
               "c.ini:3: diameter: found beside 'radius', expected one of them");
     EXPECT_EQ(message("[particles.a]\ndiameter = -2\n" + rest, [](const Values& v) { v.radius(); }),
-              "c.ini:2: diameter: '-2' found, expected > 0");
+              "c.ini:2: diameter: found '-2', expected > 0");
 }
 
 // The table's defaults are read by the same code as what users write.

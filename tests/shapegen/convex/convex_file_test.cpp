@@ -259,8 +259,8 @@ TEST(ConvexFile, AFrustumWithATipIsAConeWhereTheProfilePutsIt) {
 
 TEST(ConvexFile, WhatIsWrongIsSaidInOneLineWithItsPlace) {
     expect_message("", "x.convex", "the file is empty");
-    expect_message("units = mm\n", "x.convex", "no shape found");
-    expect_message("0 0 0\n1 0 0\n", "x.convex", "no shape found");
+    expect_message("units = mm\n", "x.convex", "found no shape");
+    expect_message("0 0 0\n1 0 0\n", "x.convex", "found no shape");
     expect_message("shape = cubiod\n", "x.convex:1", "did you mean 'cuboid'?");
     expect_message("shape = sphere\nradios = 1\n", "x.convex:2", "did you mean 'radius'?");
     expect_message("shape = sphere\n", "x.convex:1", "'radius' is missing");

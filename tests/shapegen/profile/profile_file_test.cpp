@@ -210,8 +210,8 @@ TEST(ProfileFileErrors, NameWhatIsMissingOrTwice) {
     expect_message("shape =\n", "x.profile:1:", "name = value");
     expect_message("", "x.profile: the file is empty", "");
     expect_message("# only a comment\n\n", "x.profile: the file is empty", "");
-    expect_message("units = mm\n", "x.profile: no profile found", "");
-    expect_message("1 2\n", "x.profile: one point found", "");
+    expect_message("units = mm\n", "x.profile: found no profile", "");
+    expect_message("1 2\n", "x.profile: found one point", "");
     expect_message("start 0 -1\nline 1 0\nfillet 0.1\n", "x.profile:3:", "after it");
 }
 
@@ -250,7 +250,7 @@ TEST(ProfileFile, AWaistThinnerThanAnyFieldIsRefused) {
     };
     EXPECT_NEAR(reads("0.1").profile.major_axis_length(), 10.0, 1e-12);
     expect_message("shape = peanut\nlength = 10\nwaist = 0.0999",
-                   "x.profile:3: waist = '0.0999' found", "expected 1/100 of the length or more");
+                   "x.profile:3: found waist = '0.0999'", "expected 1/100 of the length or more");
     expect_message("shape = peanut\nlength = 10\nwaist = 1e-6", "x.profile:3:", "1/100");
     expect_message("shape = cassini\nfocus = 1\nproduct_root = 1.00001", "x.profile:3:", "1/100");
 }
