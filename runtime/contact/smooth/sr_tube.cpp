@@ -179,7 +179,8 @@ class InsideSearch {
                 largest = std::max(largest, s.value);
                 const bool touches = s.value > wall_.radius && add(s, touch);
                 if (touches && valley.is_open) add_between(valley, touch);
-                valley = {touches, false, {}};
+                valley.follows_a_touch = touches;
+                valley.is_open = false;
             } else if (low_slope < 0.0 && high_slope >= 0.0 && valley.follows_a_touch) {
                 valley.lowest = outline_.minimum(low, high);
                 valley.is_open = valley.lowest.value > wall_.radius;
@@ -196,8 +197,8 @@ class InsideSearch {
     /// Between two places that touch.
     struct Valley {
         bool follows_a_touch = false;
-        bool is_open = false;  ///< found, and beyond the wall as well
-        PlanarOutline::Sample lowest{};
+        bool is_open = false;          ///< found, and beyond the wall as well
+        PlanarOutline::Sample lowest;  ///< known where it is open
     };
 
     bool add(const PlanarOutline::Sample& s, WallTouch& touch) const {
