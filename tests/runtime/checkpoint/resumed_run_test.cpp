@@ -144,7 +144,7 @@ TEST_F(ResumedRun, RefusesWhatItCannotContinueAndTouchesNothing) {
 
     Scene measures = pour(0.04, 1, "a");
     measures.measures.clear();
-    EXPECT_NE(resume_error(measures).find("history.csv: other columns"), std::string::npos);
+    EXPECT_NE(resume_error(measures).find("history.csv: found other columns"), std::string::npos);
     // The same without running (demrun --resume --check).
     EXPECT_THROW(check_resume(other), Error);
     EXPECT_THROW(check_resume(step), Error);
