@@ -25,6 +25,7 @@ std::string no_file_at(const std::filesystem::path& path) {
             return fs::is_symlink(fs::symlink_status(path, ignored)) ? "is a link to nothing"
                                                                      : "no such file";
         default:
+            if (error == std::errc::too_many_symbolic_link_levels) return "is a link to itself";
             return "cannot be read: " + error.message();
     }
 }

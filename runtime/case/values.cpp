@@ -231,13 +231,13 @@ std::optional<double> Values::optional_number(std::string_view key) const {
 }
 
 std::uint64_t Values::count(std::string_view key) const {
+    const Range& range = key_of(key).range;
     const std::string value = text(key);
     const auto n = whole_number(value);
-    if (!n) {
+    if (!n || !range.contains(static_cast<double>(*n))) {
         throw Error(where(key), "found " + in_quotes(value) + ", expected a whole number " +
-                                    range_text(key_of(key).range));
+                                    range_text(range));
     }
-    check_range(key_of(key), static_cast<double>(*n));
     return *n;
 }
 

@@ -44,6 +44,11 @@ void check_tables(const std::filesystem::path& path, const Hdf5Reader& file,
     throw Error(path.string(), "holds " + group + " that was changed after it was written");
 }
 
+/// The group of a set of triangles, as what is in it begins.
+std::string topology(std::uint64_t number) {
+    return "/topologies/" + std::to_string(number) + "/";
+}
+
 /// The number that the name of a frame or a set of triangles is.
 std::uint64_t number(const std::filesystem::path& path, const std::string& name) {
     const auto value = whole_number(name);
@@ -79,7 +84,6 @@ void SurfaceWriter::begin() {
     disk_ = std::make_unique<JournaledFile>(path_);
 }
 
-// What the last triangles show is not looked up: the next frame writes its own.
 void SurfaceWriter::take_up(std::uint64_t frames) {
     disk_ = std::make_unique<JournaledFile>(path_);
     std::vector<std::string> entries;
@@ -104,6 +108,7 @@ void SurfaceWriter::take_up(std::uint64_t frames) {
                 continue;
             }
             check_tables(path_, reader, group, topology_tables, "");
+            if (number(path_, name) + 1 == topologies_) last_hash_ = reader.number(group, "hash");
             ++kept;
         }
         if (kept != topologies_) {
@@ -118,7 +123,7 @@ void SurfaceWriter::take_up(std::uint64_t frames) {
     file.close();
 }
 
-void SurfaceWriter::write_triangles(const Frame& frame) {
+void SurfaceWriter::take_triangles(const Frame& frame) {
     std::vector<std::uint32_t> triangles;
     std::vector<std::uint32_t> ids;
     std::uint64_t first = 0;
@@ -136,26 +141,31 @@ void SurfaceWriter::write_triangles(const Frame& frame) {
         ids.insert(ids.end(), mesh.triangles.size(), frame.id[i]);
         first += mesh.vertices.size();
     }
-    const std::string group = "/topologies/" + std::to_string(topologies_++) + "/";
-    Hdf5File file(*disk_);
-    file.make_group(group);
-    file.write(group + "triangles", triangles, 3);
-    file.write(group + "particle_id", ids);
-    file.describe(
-        group, "hash",
-        hash_of({std::as_bytes(std::span(triangles)), std::as_bytes(std::span(ids))}, ""));
-    file.close();
+    const std::uint64_t hash =
+        hash_of({std::as_bytes(std::span(triangles)), std::as_bytes(std::span(ids))}, "");
+    // After a file was taken up they may be those that it has.
+    if (topologies_ == 0 || hash != last_hash_) {
+        const std::string group = topology(topologies_++);
+        Hdf5File file(*disk_);
+        file.make_group(group);
+        file.write(group + "triangles", triangles, 3);
+        file.write(group + "particle_id", ids);
+        file.describe(group, "hash", hash);
+        file.close();
+        last_hash_ = hash;
+    }
     known_id_.assign(frame.id.begin(), frame.id.end());
     known_shape_.assign(frame.shape.begin(), frame.shape.end());
     vertices_ = first;
-    triangles_ = {"surfaces.h5:" + group + "triangles", ids.size(), 3, "UInt", 4};
-    triangle_id_ = {"surfaces.h5:" + group + "particle_id", ids.size(), 1, "UInt", 4};
+    const std::string place = "surfaces.h5:" + topology(topologies_ - 1);
+    triangles_ = {place + "triangles", ids.size(), 3, "UInt", 4};
+    triangle_id_ = {place + "particle_id", ids.size(), 1, "UInt", 4};
 }
 
 void SurfaceWriter::append(const Frame& frame, const std::string& frame_name) {
     if (triangles_.path.empty() || !std::ranges::equal(frame.id, known_id_) ||
         !std::ranges::equal(frame.shape, known_shape_)) {
-        write_triangles(frame);
+        take_triangles(frame);
     }
     std::vector<float> points;
     std::vector<float> speeds;

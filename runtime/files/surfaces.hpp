@@ -34,7 +34,7 @@ class SurfaceWriter {
   private:
     void begin();
     void take_up(std::uint64_t frames);
-    void write_triangles(const Frame& frame);
+    void take_triangles(const Frame& frame);
 
     std::filesystem::path path_;
     std::unique_ptr<JournaledFile> disk_;
@@ -44,6 +44,7 @@ class SurfaceWriter {
     // Triangles and ids stay the same until particles come or go: stored once, used by many frames.
     std::vector<std::uint32_t> known_id_, known_shape_;
     std::uint64_t topologies_ = 0;
+    std::uint64_t last_hash_ = 0;  ///< of the last topology
     std::uint64_t vertices_ = 0;  ///< of the current topology
     XdmfTable triangles_, triangle_id_;
 };

@@ -243,6 +243,8 @@ TEST_F(Demrun, APipeASocketOrAFolderIsNoCase) {
     EXPECT_EQ(answer("folder.ini"), error + "folder.ini: is a folder, expected a case file\n");
     EXPECT_EQ(answer("broken.ini"),
               error + "broken.ini: is a link to nothing, expected a case file\n");
+    fs::create_symlink("loop.ini", folder_ / "loop.ini");
+    EXPECT_EQ(answer("loop.ini"), error + "loop.ini: is a link to itself, expected a case file\n");
     EXPECT_EQ(answer("link.ini --check"), "");
     EXPECT_EQ(answer("/dev/null"),
               error + "/dev/null: is a device that nothing comes out of, expected a case file\n");

@@ -99,6 +99,12 @@ TEST(Values, EveryWrongValueHasItsLine) {
     for (const char* bad : {"-1", "1.5", "x", "99999999999999999999"}) {
         EXPECT_NE(message("[run]\nend_time=1\nseed = " + std::string(bad) + "\n", seed), "fine");
     }
+    const auto threads = [](const Values& v) { v.count("threads"); };
+    for (const std::string bad : {"-1", "1.5", "5000"}) {
+        EXPECT_EQ(
+            message("[run]\nend_time=1\nthreads = " + bad + "\n", threads),
+            "c.ini:3: threads: found '" + bad + "', expected a whole number >= 0 and <= 4096");
+    }
     const auto friction = [](const Values& v) { v.optional_number("friction"); };
     EXPECT_EQ(message("[contact]\nfriction = -0.1\n", friction),
               "c.ini:2: friction: found '-0.1', expected >= 0");

@@ -75,7 +75,7 @@ TEST_F(ResumedRun, LeavesTheFilesOfOneThatNeverStopped) {
 
     EXPECT_EQ(last.state_hash, whole.state_hash);
     EXPECT_EQ(last.steps, whole.steps);
-    for (const char* name : {"history.csv", "final.csv", "frames.xdmf"}) {
+    for (const char* name : {"history.csv", "final.csv", "frames.xdmf", "surfaces.xdmf"}) {
         EXPECT_TRUE(text(std::filesystem::path("parts") / name) ==
                     text(std::filesystem::path("whole") / name))
             << name;
@@ -86,6 +86,8 @@ TEST_F(ResumedRun, LeavesTheFilesOfOneThatNeverStopped) {
     EXPECT_EQ(found.members("/points"), expected.members("/points"));
     const Hdf5Reader surfaces(directory_ / "parts/surfaces.h5");
     EXPECT_EQ(surfaces.members("/frames"), expected.members("/frames"));
+    EXPECT_EQ(surfaces.members("/topologies"),
+              Hdf5Reader(directory_ / "whole/surfaces.h5").members("/topologies"));
 }
 
 TEST_F(ResumedRun, ToALaterEndKeepsTheIntervalsOfTheRunThatBegan) {
