@@ -65,8 +65,15 @@ void look_at(const TemplateFile& file) {
             promise_finite(surface.normal, "a normal");
         }
     }
-    promise(template_text(file).find("nan") == std::string::npos, "inspect prints numbers");
     promise(!template_json(file).empty(), "inspect --json prints");
+    TemplateFile nameless = file;  // names and commands may hold any letters
+    nameless.command.clear();
+    nameless.shapegen_version.clear();
+    for (ParticleTemplate& t : nameless.shapes) {
+        t.name.clear();
+        for (auto& [name, value] : t.certificate) name.clear();
+    }
+    promise(template_text(nameless).find("nan") == std::string::npos, "inspect prints numbers");
 }
 
 }  // namespace
