@@ -29,8 +29,9 @@ std::vector<double> margins(const Particles& particles, const Scene& scene,
         const double speed =
             particles.velocity[i].norm() +
             surface_reach[particles.kind[i]] * particles.angular_velocity[i].norm();
-        result[i] = std::min(least_margin * radius + rebuild_interval * dt * speed,
-                             largest_margin * radius);
+        // In this order the largest also stands for a speed that is no number.
+        result[i] = std::min(largest_margin * radius,
+                             least_margin * radius + rebuild_interval * dt * speed);
     }
     return result;
 }
