@@ -66,8 +66,9 @@ void Simulation::step() {
     core_overlaps_ += scratch_.cores_met;
     check_overlap();                                  // 8
     sum_forces(particles_, lists_, scene_, ledger_);  // 9
-    correct(particles_, scene_.kinds, dt_);           // 10 v(t + dt)
-    insert_due();                                     // 11
+    book(scratch_.partings, ledger_);
+    correct(particles_, scene_.kinds, dt_);  // 10 v(t + dt)
+    insert_due();                            // 11
 }
 
 void Simulation::insert_due() {

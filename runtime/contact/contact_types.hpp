@@ -48,7 +48,7 @@ struct PairContact {
     Vec3 torque_j = Vec3::Zero();    ///< on j about its center of mass [N m]
     double overlap = 0.0;            ///< generalized overlap [m]; > 0 while touching
     double elastic_energy = 0.0;     ///< stored in normal and tangential springs [J]
-    double dissipated_energy = 0.0;  ///< by dashpots and slip during this step [J]
+    double dissipated_energy = 0.0;  ///< in this step, also of a contact that ends in it [J]
     std::uint32_t points = 0;        ///< contact points; 0: the bodies do not touch
     bool cores_met = false;          ///< two convex cores overlap for the first time
 
@@ -103,20 +103,28 @@ template <class History, class Cache>
 Call(const PairState&, const ContactLaw&, double, Memory<History, Cache>, double = 0.0,
      Scratch = {}) -> Call<History, Cache>;
 
+/// Ends a contact, if there was one: what its springs still hold is lost.
+template <class History>
+PairContact parting(History& history) {
+    PairContact contact;
+    if (!history.touched()) return contact;
+    contact.dissipated_energy = held_energy(history);
+    history = {};
+    return contact;
+}
+
 /// What a kernel returns for bodies that are apart: the history forgets the contact.
 template <class History>
 PairContact apart(const Call<History, NoCache>& call) {
-    if (call.memory.history.touched()) call.memory.history = {};
-    return {};
+    return parting(call.memory.history);
 }
 /// What it returns where a gap is proven [m], along `axis` from i to j if there is one: the cache
 /// keeps both.
 template <class History>
 PairContact apart(const Call<History, MissCache>& call, double gap,
                   const Vec3& axis = Vec3::Zero()) {
-    if (call.memory.history.touched()) call.memory.history = {};
     call.memory.cache = {axis, gap};
-    return {};
+    return parting(call.memory.history);
 }
 
 }  // namespace dem::runtime

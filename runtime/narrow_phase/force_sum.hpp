@@ -10,7 +10,7 @@ namespace dem::runtime {
 /// What each particle has lost and been given since it was inserted, a pair's share booked on its
 /// first particle, so that sums do not depend on threads [J].
 struct EnergyLedger {
-    std::vector<double> dissipated;  ///< by dashpots and slip
+    std::vector<double> dissipated;  ///< by dashpots, slip, and contacts that ended stretched
     std::vector<double> wall_work;   ///< done on it by moving walls
 
     void resize(std::size_t particles) {
@@ -23,5 +23,10 @@ struct EnergyLedger {
 /// What they were goes to old_force and old_torque.
 void sum_forces(Particles& particles, NeighborLists& lists, const Scene& scene,
                 EnergyLedger& ledger);
+
+/// Books what contacts that ended had still stored.
+inline void book(std::span<const Parting> partings, EnergyLedger& ledger) {
+    for (const Parting& parting : partings) ledger.dissipated[parting.particle] += parting.lost;
+}
 
 }  // namespace dem::runtime

@@ -130,7 +130,7 @@ struct Worker {
         const std::uint32_t r = list.first_result + k;
         lists.touching[r] = contact.touches() ? 1 : 0;
         if (!contact.touches()) {
-            if (!is_new) changes.ended.push_back(k);
+            if (!is_new) changes.ended.push_back({k, contact.dissipated_energy});
             list.quiet_until[k] =
                 certain_travel(travel, gap(a, b, k, travel), partner.smaller_radius(ids));
             return;
@@ -163,7 +163,7 @@ void compute_part(List& list, NeighborLists& lists, const Partner& partner, doub
 /// Gives places to the contacts that began, in the order of the list whichever thread saw them, and
 /// takes those of the ones that ended.
 template <class List, class Mark>
-void settle_changes(List& list, const Mark& mark) {
+void settle_changes(List& list, std::vector<Parting>& partings, const Mark& mark) {
     auto& [begun, ended] = list.changes.front();
     for (std::size_t k = 1; k < list.changes.size(); ++k) {
         auto& other = list.changes[k];
@@ -176,10 +176,13 @@ void settle_changes(List& list, const Mark& mark) {
     const auto in_order = [](const auto& a, const auto& b) { return a.pair < b.pair; };
     if (!std::is_sorted(begun.begin(), begun.end(), in_order))
         std::sort(begun.begin(), begun.end(), in_order);
-    if (!std::is_sorted(ended.begin(), ended.end())) std::sort(ended.begin(), ended.end());
-    for (const std::uint32_t pair : ended) {
-        list.drop_history(pair);
-        mark(list.ids[pair]);
+    if (!std::is_sorted(ended.begin(), ended.end(), in_order))
+        std::sort(ended.begin(), ended.end(), in_order);
+    for (const auto& contact : ended) {
+        const IdPair ids = list.ids[contact.pair];
+        list.drop_history(contact.pair);
+        partings.push_back({ids.i, contact.lost});
+        mark(ids);
     }
     for (const auto& contact : begun) {
         list.add_history(contact.pair, contact.history);
@@ -228,8 +231,9 @@ LargestOverlap compute_contacts(NeighborLists& lists, const Bodies& bodies, doub
             compute_part(list, lists, partner, dt, part, scratch);
         });
     });
+    scratch.partings.clear();
     with_partners([&]<class Partner>(auto& list, const Partner&) {
-        settle_changes(list, [&](const IdPair& ids) {
+        settle_changes(list, scratch.partings, [&](const IdPair& ids) {
             lists.touching_entries.changed[ids.i] = 1;
             if constexpr (!Partner::is_wall) lists.touching_entries.changed[ids.j] = 1;
         });

@@ -26,8 +26,9 @@ struct NarrowPhaseScratch {
     };
     std::vector<Thread> threads;
     std::vector<double> equivalent_radius;  ///< per kind [m]
-    std::uint64_t cores_met = 0;  ///< contacts in which the cores of convex bodies have come to
-                                  ///< overlap, in the last call
+    std::uint64_t cores_met = 0;    ///< contacts in which the cores of convex bodies have come to
+                                    ///< overlap, in the last call
+    std::vector<Parting> partings;  ///< contacts that ended in the last call
 };
 
 /// For so many threads at most.

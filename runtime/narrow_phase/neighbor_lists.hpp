@@ -20,6 +20,12 @@ struct PairResult {
     double wall_work;          ///< of a moving wall on the particle during this step [J]
 };
 
+/// A contact that ended, booked on the first particle of its pair.
+struct Parting {
+    std::uint32_t particle;
+    double lost;  ///< what its springs still held [J]
+};
+
 /// The contacts of every particle as indices of results, in the order in which they are summed:
 /// partners by rising id, then walls in the order of the case file.
 struct Adjacency {

@@ -35,9 +35,13 @@ struct PairList {
         std::uint32_t pair;
         History history;
     };
+    struct EndedContact {
+        std::uint32_t pair;
+        double lost;  ///< [J]
+    };
     struct Changes {
         std::vector<NewContact> begun;
-        std::vector<std::uint32_t> ended;  ///< pairs
+        std::vector<EndedContact> ended;
     };
     std::vector<Changes> changes;    ///< per thread
     std::uint32_t first_result = 0;  ///< where this list's part of the results begins

@@ -197,6 +197,13 @@ struct ConvexHistory : ContactHistory, SpringHistory, TorsionHistory {
 };
 static_assert(std::is_trivially_copyable_v<ConvexHistory>);
 
+/// Without slip the tangential spring has given back what it held when the overlap is gone.
+inline double held_energy(const ConvexHistory& history) {
+    const auto& spring = static_cast<const SpringHistory&>(history);
+    return (history.held > 0.0 ? 0.0 : held_energy(spring)) +
+           held_energy(static_cast<const TorsionHistory&>(history)) + held_energy(history.rolling);
+}
+
 /// Force of the features of a pair: normal forces from the potential and one dashpot per point,
 /// one tangential and one torsion spring for the pair (docs/contact-convex.md, "Friction").
 /// `local_radius`: R* at this place [m]. Not for an empty sum.

@@ -46,8 +46,7 @@ inline PairContact apart(const PatchCall& call, double gap) {
     const auto& [history, cache] = call.memory;
     cache.count = 0;
     cache.clear_until = cache.listed_until = call.travel + gap;
-    if (history.touched()) history = {};
-    return {};
+    return parting(history);
 }
 
 /// Direction of the force at a touching node, in its body's frame. Exact fields have one.

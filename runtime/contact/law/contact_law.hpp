@@ -80,6 +80,10 @@ static_assert(std::is_trivially_copyable_v<ContactHistory>);
 struct PointHistory : ContactHistory, SpringHistory {};
 static_assert(std::is_trivially_copyable_v<PointHistory>);
 
+inline double held_energy(const PointHistory& history) {
+    return held_energy(static_cast<const SpringHistory&>(history)) + held_energy(history.rolling);
+}
+
 using SphereCall = Call<PointHistory, NoCache>;
 using SmoothCall = Call<PointHistory, MissCache>;
 

@@ -37,6 +37,12 @@ struct PatchHistory : ContactHistory {
 };
 static_assert(std::is_trivially_copyable_v<PatchHistory>);
 
+inline double held_energy(const PatchHistory& history) {
+    double held = held_energy(history.rolling);
+    for (std::uint64_t k = 0; k < history.used; ++k) held += held_energy(history.slots[k]);
+    return held;
+}
+
 using ContactScratch = std::vector<ContactPoint>;
 
 /// Force of one contact point (docs/contact.md, "Force law"). `local_radius` is R* at this

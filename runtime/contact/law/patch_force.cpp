@@ -295,10 +295,7 @@ PairContact single_force(const ContactPoint& point, double local_radius, const P
 PairContact contact_force(std::span<const ContactPoint> points, double local_radius,
                           const PairState& pair, const ContactLaw& law, double dt,
                           PatchHistory& history) {
-    if (points.empty()) {
-        if (history.touched()) history = {};
-        return {};
-    }
+    if (points.empty()) return parting(history);
     ContactPoint deepest = points.front();
     if (law.geometry.multi_contact == ContactLaw::MultiContact::deepest) {
         for (const ContactPoint& p : points)

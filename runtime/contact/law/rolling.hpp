@@ -32,6 +32,10 @@ struct RollingHistory {
     double stiffness = 0.0;  ///< k_r of the step before [N m]
 };
 
+inline double held_energy(const RollingHistory& history) {
+    return 0.5 * history.stiffness * Vec3(history.angle).squaredNorm();
+}
+
 /// How easily one body turns about an axis in a rolling contact.
 struct RollingInertia {
     double inverse_free = 0.0;     ///< 1/I, about its own center [1/(kg m^2)]

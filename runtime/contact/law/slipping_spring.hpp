@@ -17,6 +17,11 @@ struct SpringHistory {
     double stiffness = 0.0;  ///< of the step before [N/m]
 };
 
+/// What a spring holds [J], to half a step.
+inline double held_energy(const SpringHistory& history) {
+    return 0.5 * history.stiffness * Vec3(history.spring).squaredNorm();
+}
+
 /// Carries a spring in the plane of `old_normal` into the plane of `normal`: the smallest rotation
 /// between the two, then `spin` [rad] about the new one. Both keep its length.
 inline Vec3 carried(const Vec3& spring, const Vec3& old_normal, const Vec3& normal, double spin) {

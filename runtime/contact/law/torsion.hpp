@@ -15,6 +15,10 @@ struct TorsionHistory {
     double twist_stiffness = 0.0;  ///< of the step before [N m]
 };
 
+inline double held_energy(const TorsionHistory& history) {
+    return 0.5 * history.twist_stiffness * square(history.twist);
+}
+
 /// The torsion spring of an area with this tangential one, its points a mean squared distance of
 /// `spread2` from their center.
 inline SlippingSpring torsion_spring(const SlippingSpring& tangential, double spread2) {
