@@ -235,8 +235,8 @@ std::uint64_t Values::count(std::string_view key) const {
     const std::string value = text(key);
     const auto n = whole_number(value);
     if (!n || !range.contains(static_cast<double>(*n))) {
-        throw Error(where(key), "found " + in_quotes(value) + ", expected a whole number " +
-                                    range_text(range));
+        throw Error(where(key),
+                    "found " + in_quotes(value) + ", expected a whole number " + range_text(range));
     }
     return *n;
 }
