@@ -7,6 +7,7 @@
 #include "runtime/case/key.hpp"
 #include "runtime/case/read_scene.hpp"
 #include "runtime/case/scene_summary.hpp"
+#include "runtime/lane_width.hpp"
 #include "runtime/output/earlier_run.hpp"
 #include "runtime/run.hpp"
 
@@ -129,6 +130,7 @@ Scene scene_of(const CommandLine& line) {
     for (const std::string& assignment : line.overrides) override_value(file, assignment);
     Scene scene = read_scene(file);
     if (line.threads) scene.run.threads = *line.threads;
+    scene.run.lanes = lane_width();
     scene.output.directory =
         line.directory.value_or(std::filesystem::path(line.case_path).stem().string());
     return scene;

@@ -29,6 +29,7 @@ class LawTable {
     LawTable() = default;
     explicit LawTable(std::size_t materials) : count_(materials), laws_(materials * materials) {}
     const ContactLaw& at(std::uint32_t a, std::uint32_t b) const { return laws_[a * count_ + b]; }
+    const std::vector<ContactLaw>& all() const { return laws_; }
     void set(std::uint32_t a, std::uint32_t b, const ContactLaw& law) {
         laws_[a * count_ + b] = law;
         laws_[b * count_ + a] = law;
@@ -106,6 +107,9 @@ struct RunSettings {
     /// For tests: the threads of each step in turn, which share every loop however small. Empty: as
     /// many as make steps shortest (common/threads/step_team.hpp). Never changes a result.
     std::vector<int> forced_threads;
+    /// Contacts computed at a time (contact/lanes/lane_kernels.hpp); 0: as many as the processor does
+    /// best. Never changes a result.
+    int lanes = 0;
 };
 
 struct OutputSettings {

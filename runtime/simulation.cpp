@@ -38,6 +38,7 @@ Simulation::Simulation(Scene scene, double dt)
       domain_(domain(scene_)),
       aabbs_(scene_.shapes),
       surface_reach_(surface_reach(scene_)),
+      integrator_(make_integrator(scene_, surface_reach_)),
       wall_margins_(wall_margins(scene_)),
       inserter_(scene_),
       walls_(place_walls(scene_.walls)),
@@ -53,10 +54,8 @@ Simulation::Simulation(Scene scene, double dt)
 
 // Algorithm 1 of docs/time-loop.md.
 void Simulation::step() {
-    const StepTeam::Step together(team_);                  // threads: docs/threads.md
-    kick(particles_, scene_.kinds, 0.5 * dt_);             // 1  v(t + dt/2)
-    drift(particles_, scene_.kinds, surface_reach_, dt_);  // 2  x(t + dt)
-    predict(particles_, scene_.kinds, dt_);                // 3  v(t + dt), a first guess
+    const StepTeam::Step together(team_);                 // threads: docs/threads.md
+    advance(particles_, scene_.kinds, integrator_, dt_);  // 1-3 x(t + dt), a guess of v(t + dt)
     ++steps_;
     move_walls(walls_, scene_.walls, domain_, time());  // 4
     check_bodies();                                     // 5
@@ -67,8 +66,8 @@ void Simulation::step() {
     check_overlap();                                  // 8
     sum_forces(particles_, lists_, scene_, ledger_);  // 9
     book(scratch_.partings, ledger_);
-    correct(particles_, scene_.kinds, dt_);  // 10 v(t + dt)
-    insert_due();                            // 11
+    correct(particles_, scene_.kinds, integrator_, dt_);  // 10 v(t + dt)
+    insert_due();                                         // 11
 }
 
 void Simulation::insert_due() {

@@ -4,6 +4,7 @@
 #include "common/threads/step_team.hpp"
 #include "runtime/broad_phase/body_aabb.hpp"
 #include "runtime/insertion/inserter.hpp"
+#include "runtime/integrator/integrator.hpp"
 #include "runtime/narrow_phase/force_sum.hpp"
 #include "runtime/narrow_phase/narrow_phase.hpp"
 #include "runtime/narrow_phase/neighbor_lists.hpp"
@@ -48,6 +49,7 @@ class Simulation {
     /// Contacts in which the cores of two convex bodies have overlapped, so far.
     std::uint64_t core_overlaps() const { return core_overlaps_; }
     const StepTeam& team() const { return team_; }
+    LaneUse lanes() const { return lane_use(scratch_); }         ///< of this step
     double inserted_energy() const { return inserted_energy_; }  ///< of all bodies when new [J]
     Bodies bodies() const { return {scene_, particles_, walls_}; }
 
@@ -76,6 +78,7 @@ class Simulation {
     Aabb domain_;
     BodyAabbs aabbs_;
     std::vector<double> surface_reach_;  ///< per kind: lever of a rotation that moves the surface
+    Integrator integrator_;
     std::vector<double> wall_margins_;
     Inserter inserter_;
     Particles particles_;

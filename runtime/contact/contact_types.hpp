@@ -36,7 +36,11 @@ struct BodyState {
     InverseInertia inverse_inertia;
 };
 
+struct PairContact;
+
 struct PairState {
+    using Real = double;
+    using Contact = PairContact;
     Vec3 displacement;  ///< from the center of i to the center of j [m]; periodic image resolved
     BodyState i, j;
 };

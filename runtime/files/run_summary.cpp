@@ -45,6 +45,7 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
                        {"microseconds_per_particle_step", summary.microseconds_per_particle_step},
                        {"threads", summary.threads},
                        {"threads_used", summary.threads_used},
+                       {"lanes", summary.lanes},
                        {"seed", summary.seed},
                        {"state_hash", hexadecimal(summary.state_hash)},
                        {"measures", measures},

@@ -26,6 +26,7 @@ struct RunSummary {
     double microseconds_per_particle_step = 0.0;  ///< the rest over all particle steps
     int threads = 1;                              ///< at most
     double threads_used = 1.0;                    ///< on average over the wall time of the steps
+    int lanes = 1;                                ///< contacts computed at a time
     std::uint64_t seed = 0;
     std::uint64_t state_hash = 0;  ///< of the final state, written as 16 hex digits
     std::vector<std::pair<std::string, double>> measures;       ///< final values, by name

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/math/elementary.hpp"
+#include "common/math/lanes.hpp"
 #include "common/math/types.hpp"
 
 #include <cmath>
@@ -10,51 +11,91 @@
 /// carried in the world frame: without torque it does not change by a bit.
 namespace dem::runtime {
 
+/// Below this square of half the angle [rad^2] a rotation is its Taylor series: a step turns a body
+/// by less.
+inline constexpr double small_turn2 = 1e-6;
+
+/// Unit quaternion of the rotation by a small vector `turn` [rad]; `x2`: square of half its length.
+/// The next terms are below 1e-19 of the sums.
+template <class Real>
+QuatOf<Real> small_rotation(const Vec3Of<Real>& turn, const Real& x2) {
+    const Real sine_ratio = 1.0 - x2 * (1.0 / 6.0 - x2 * (1.0 / 120.0));  // sin(x)/x
+    const Real cosine = 1.0 - x2 * (1.0 / 2.0 - x2 * (1.0 / 24.0));
+    const Real s = 0.5 * sine_ratio;
+    return {cosine, s * turn.x(), s * turn.y(), s * turn.z()};
+}
+
 /// Unit quaternion of the rotation by the vector `turn` [rad].
 inline Quat rotation(const Vec3& turn) {
-    const double x2 = 0.25 * turn.squaredNorm();  // half angle squared
-    double cosine = 0.0;
-    double sine_ratio = 0.0;  // sin(x)/x
-    if (x2 < 1e-6) {
-        // Taylor, next terms below 1e-19 of the sums: a step turns a body by less than this.
-        sine_ratio = 1.0 - x2 * (1.0 / 6.0 - x2 * (1.0 / 120.0));
-        cosine = 1.0 - x2 * (1.0 / 2.0 - x2 * (1.0 / 24.0));
-    } else {
-        const double x = std::sqrt(x2);
-        const math::SineCosine half = math::sin_cos(x);
-        cosine = half.cosine;
-        sine_ratio = half.sine / x;
-    }
-    const double s = 0.5 * sine_ratio;
-    return {cosine, s * turn.x(), s * turn.y(), s * turn.z()};
+    const double x2 = 0.25 * turn.squaredNorm();
+    if (x2 < small_turn2) return small_rotation(turn, x2);
+    const double x = std::sqrt(x2);
+    const math::SineCosine half = math::sin_cos(x);
+    const double s = 0.5 * (half.sine / x);
+    return {half.cosine, s * turn.x(), s * turn.y(), s * turn.z()};
+}
+
+/// body_axis() in each lane.
+template <class Real>
+Vec3Of<Real> axis_of(const QuatOf<Real>& q) {
+    return {2.0 * (q.x() * q.z() + q.w() * q.y()), 2.0 * (q.y() * q.z() - q.w() * q.x()),
+            1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y())};
+}
+
+/// Inverse principal moments of a body of revolution [1/(kg m^2)].
+template <class Real>
+struct AxialMoments {
+    Real across, along;
+
+    MaskOf<Real> are_equal() const { return across == along; }
+};
+
+/// Angular velocity of a body of revolution with its axis and angular momentum.
+template <class Real>
+Vec3Of<Real> angular_velocity_of(const AxialMoments<Real>& m, const Vec3Of<Real>& axis,
+                                 const Vec3Of<Real>& L) {
+    const Vec3Of<Real> across = m.across * L;
+    if (all(m.are_equal())) return across;
+    return select(m.are_equal(), across,
+                  Vec3Of<Real>(across + Real((m.along - m.across) * L.dot(axis)) * axis));
 }
 
 /// World angular velocity [rad/s] of a body with orientation q, angular momentum L [kg m^2/s] and
 /// inverse principal moments [1/(kg m^2)].
 inline Vec3 angular_velocity(const Quat& q, const Vec3& L, const Vec3& inverse_moments) {
     const Vec3& m = inverse_moments;
-    if (m.x() == m.y() && m.x() == m.z()) return m.x() * L;
-    if (m.x() == m.y()) {
-        const Vec3 axis = body_axis(q);
-        return m.x() * L + ((m.z() - m.x()) * L.dot(axis)) * axis;
-    }
+    if (m.x() == m.y()) return angular_velocity_of<double>({m.x(), m.z()}, axis_of<double>(q), L);
     const Vec3 L_body = q.conjugate() * L;
     return q * Vec3(m.cwiseProduct(L_body));
 }
 
 /// Length correction of a quaternion that is a unit one but for rounding.
-inline Quat renormalized(const Quat& q) {
-    const double scale = 1.5 - 0.5 * q.squaredNorm();
+template <class Real = double>
+QuatOf<Real> renormalized(const QuatOf<Real>& q) {
+    const Real scale = 1.5 - 0.5 * q.squaredNorm();
     return {scale * q.w(), scale * q.x(), scale * q.y(), scale * q.z()};
 }
 
-/// q followed by a turn [rad] about body z.
-inline Quat turned_about_own_axis(const Quat& q, double turn) {
-    const Quat own = rotation({0.0, 0.0, turn});
-    const double c = own.w();
-    const double s = own.z();
+/// q followed by the rotation `own` about body z.
+template <class Real = double>
+QuatOf<Real> turned_about_own_axis(const QuatOf<Real>& q, const QuatOf<Real>& own) {
+    const Real c = own.w();
+    const Real s = own.z();
     return {q.w() * c - q.z() * s, q.x() * c + q.y() * s, q.y() * c - q.x() * s,
             q.z() * c + q.w() * s};
+}
+
+/// Orientation of a body of revolution after its precession by `turn` [rad] and its own spin by
+/// `own` [rad]; `rotate`: unit quaternions of such vectors.
+template <class Real, class Rotate>
+QuatOf<Real> precessed(const AxialMoments<Real>& m, const QuatOf<Real>& q, const Vec3Of<Real>& L,
+                       double dt, const Rotate& rotate) {
+    const QuatOf<Real> precession = rotate(Vec3Of<Real>(Real(dt * m.across) * L));
+    if (all(m.are_equal())) return renormalized<Real>(precession * q);
+    const Real own_spin = (m.along - m.across) * L.dot(axis_of<Real>(q));
+    const QuatOf<Real> own = rotate(Vec3Of<Real>{Real{}, Real{}, Real(dt * own_spin)});
+    return renormalized<Real>(precession *
+                              select(m.are_equal(), q, turned_about_own_axis<Real>(q, own)));
 }
 
 /// Orientation after free motion with constant L over dt [s].
@@ -64,12 +105,7 @@ inline Quat turned_about_own_axis(const Quat& q, double turn) {
 /// iteration, so that the step is symmetric in time and the energy does not drift.
 inline Quat rotated(const Quat& q, const Vec3& L, const Vec3& inverse_moments, double dt) {
     const Vec3& m = inverse_moments;
-    if (m.x() == m.y()) {
-        const Quat precession = rotation(dt * m.x() * L);
-        if (m.x() == m.z()) return renormalized(precession * q);
-        const double own_spin = (m.z() - m.x()) * L.dot(body_axis(q));
-        return renormalized(precession * turned_about_own_axis(q, dt * own_spin));
-    }
+    if (m.x() == m.y()) return precessed<double>({m.x(), m.z()}, q, L, dt, rotation);
     Vec3 omega = angular_velocity(q, L, m);
     for (int iteration = 0; iteration < 20; ++iteration) {
         const Vec3 next = angular_velocity(rotation(0.5 * dt * omega) * q, L, m);

@@ -20,11 +20,11 @@ void sum_forces(Particles& particles, NeighborLists& lists, const Scene& scene,
              lists.touching_entries.of(i, lists.adjacency, lists.touching)) {
             const PairResult& pair = lists.results[entry.result];
             if (entry.is_j != 0) {
-                force -= pair.force;
-                torque += pair.torque_j;
+                force -= Vec3(pair.force);
+                torque += Vec3(pair.torque_j);
             } else {
-                force += pair.force;
-                torque += pair.torque_i;
+                force += Vec3(pair.force);
+                torque += Vec3(pair.torque_i);
                 dissipated += pair.dissipated_energy;
                 wall_work += pair.wall_work;
             }

@@ -32,6 +32,10 @@ struct ParticlePartner {
         return std::min(radius[kind[ids.i]], radius[kind[ids.j]]);
     }
     static double work(const PairState&, const PairContact&, double) { return 0.0; }
+    template <class Row>
+    LaneKernel kernel(const LaneKernels& kernels) const {
+        return lane_kernel<Row>(kernels);
+    }
 };
 
 struct WallPartner {
@@ -51,6 +55,10 @@ struct WallPartner {
     static double work(const PairState& pair, const PairContact& contact, double dt) {
         return dt *
                (contact.force.dot(pair.j.velocity) - contact.torque_j.dot(pair.j.angular_velocity));
+    }
+    template <class Row>
+    LaneKernel kernel(const LaneKernels& /*kernels*/) const {
+        return nullptr;
     }
 };
 
@@ -141,9 +149,65 @@ struct Worker {
         list.quiet_until[k] = List::never_quiet;
         if (contact.cores_met) ++scratch.cores_met;
         if (is_new) changes.begun.push_back({k, fresh});
-        const double relative = contact.overlap / partner.smaller_radius(ids);
+        look_at_overlap(contact.overlap, ids, r);
+    }
+
+    void look_at_overlap(double overlap, const IdPair& ids, std::uint32_t result) {
+        const double relative = overlap / partner.smaller_radius(ids);
         if (relative >= scratch.largest.relative)
-            keep_larger(scratch, {relative, ids, Partner::is_wall}, r);
+            keep_larger(scratch, {relative, ids, Partner::is_wall}, result);
+    }
+
+    // ---- In lanes.
+
+    /// Whether a pair touched in the step before, under a law that kernels know.
+    bool goes_on(std::uint32_t k) const {
+        return list.history_of[k] != List::none && runs_in_lanes(partner.law(list.ids[k]));
+    }
+
+    void add_to_block(std::uint32_t k, const LaneBodies& lanes) {
+        const IdPair ids = list.ids[k];
+        const auto& kind = partner.bodies.particles.kind;
+        LaneBlock& block = scratch.block;
+        block.pair[block.count] = k;
+        block.contacts[block.count++] = {&lanes.rows[ids.i],
+                                         &lanes.rows[ids.j],
+                                         &lanes.kinds[kind[ids.i]],
+                                         &lanes.kinds[kind[ids.j]],
+                                         &partner.law(ids),
+                                         &list.histories[list.history_of[k]],
+                                         &lists.results[list.first_result + k]};
+    }
+
+    /// Computes what the block holds, the rare ones among it one by one.
+    void compute_block(LaneKernel kernel) {
+        LaneBlock& block = scratch.block;
+        kernel({block.contacts.data(), block.count}, dt, block.outcome);
+        for (std::size_t n = 0; n < block.count; ++n) {
+            const std::uint32_t k = block.pair[n];
+            if ((block.outcome.done >> n & 1) != 0) {
+                lists.touching[list.first_result + k] = 1;
+                look_at_overlap(block.outcome.overlap[n], list.ids[k], list.first_result + k);
+            } else {
+                compute(k);
+                ++block.rare;
+            }
+        }
+        block.computed += block.count;
+        block.count = 0;
+    }
+
+    void compute_in_lanes(std::uint32_t begin, std::uint32_t end, LaneKernel kernel,
+                          const LaneBodies& lanes) {
+        for (std::uint32_t k = begin; k < end; ++k) {
+            if (!goes_on(k)) {
+                compute(k);
+                continue;
+            }
+            add_to_block(k, lanes);
+            if (scratch.block.count == lane_block) compute_block(kernel);
+        }
+        compute_block(kernel);
     }
 };
 
@@ -156,8 +220,16 @@ void compute_part(List& list, NeighborLists& lists, const Partner& partner, doub
     if (begin >= end) return;
     Worker<List, Partner> worker{
         list, lists, partner, dt, list.changes[part.worker], scratch.threads[part.worker]};
-    for (std::size_t r = begin; r < end; ++r)
-        worker.compute(static_cast<std::uint32_t>(r) - list.first_result);
+    const auto first = static_cast<std::uint32_t>(begin) - list.first_result;
+    const auto last = static_cast<std::uint32_t>(end) - list.first_result;
+    const LaneKernel kernel = partner.template kernel<typename List::Row>(*scratch.lanes.kernels);
+    if constexpr (std::is_same_v<typename List::History, PointHistory> && !Partner::is_wall) {
+        if (kernel != nullptr) {
+            worker.compute_in_lanes(first, last, kernel, scratch.lanes);
+            return;
+        }
+    }
+    for (std::uint32_t k = first; k < last; ++k) worker.compute(k);
 }
 
 /// Gives places to the contacts that began, in the order of the list whichever thread saw them, and
@@ -205,6 +277,7 @@ NarrowPhaseScratch make_scratch(const Scene& scene, std::size_t threads) {
     }
     scratch.threads.resize(threads);
     for (auto& thread : scratch.threads) thread.points.resize(most_points);
+    scratch.lanes = make_lane_bodies(scene);
     for (const BodyKind& kind : scene.kinds) {
         const double volume = scene.shapes[kind.shape].mass_properties.volume;
         scratch.equivalent_radius.push_back(0.5 * equivalent_diameter(volume));
@@ -212,12 +285,24 @@ NarrowPhaseScratch make_scratch(const Scene& scene, std::size_t threads) {
     return scratch;
 }
 
+LaneUse lane_use(const NarrowPhaseScratch& scratch) {
+    LaneUse use{scratch.lanes.kernels->width};
+    for (const auto& thread : scratch.threads) {
+        use.contacts += thread.block.computed;
+        use.rare += thread.block.rare;
+    }
+    return use;
+}
+
 LargestOverlap compute_contacts(NeighborLists& lists, const Bodies& bodies, double dt,
                                 NarrowPhaseScratch& scratch) {
     for (auto& thread : scratch.threads) {
         thread.largest = {};
         thread.cores_met = 0;
+        thread.block.computed = 0;
+        thread.block.rare = 0;
     }
+    if (scratch.lanes.in_use()) update(scratch.lanes, bodies.particles);
     const ParticlePartner particle{bodies, scratch.equivalent_radius};
     const WallPartner wall{bodies, scratch.equivalent_radius};
     const auto with_partners = [&](const auto& visit) {

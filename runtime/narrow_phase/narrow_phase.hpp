@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "runtime/narrow_phase/lane_work.hpp"
 #include "runtime/narrow_phase/neighbor_lists.hpp"
 
 #include <vector>
@@ -23,13 +24,23 @@ struct NarrowPhaseScratch {
         std::uint64_t cores_met = 0;
         ContactScratch points;
         ConvexScratch convex;
+        LaneBlock block;
     };
     std::vector<Thread> threads;
     std::vector<double> equivalent_radius;  ///< per kind [m]
+    LaneBodies lanes;
     std::uint64_t cores_met = 0;    ///< contacts in which the cores of convex bodies have come to
                                     ///< overlap, in the last call
     std::vector<Parting> partings;  ///< contacts that ended in the last call
 };
+
+/// What went in lanes in the last call.
+struct LaneUse {
+    int width = 1;               ///< contacts computed at a time
+    std::uint64_t contacts = 0;  ///< that kernels were given
+    std::uint64_t rare = 0;      ///< of them left to be computed one by one
+};
+LaneUse lane_use(const NarrowPhaseScratch& scratch);
 
 /// For so many threads at most.
 NarrowPhaseScratch make_scratch(const Scene& scene, std::size_t threads);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runtime/broad_phase/body_aabb.hpp"
+#include "runtime/contact/lanes/lane_kernels.hpp"
 #include "runtime/narrow_phase/bodies.hpp"
 #include "runtime/narrow_phase/pair_list.hpp"
 
@@ -10,15 +11,6 @@
 #include <vector>
 
 namespace dem::runtime {
-
-/// What one pair does in this step: what the sum over a particle's contacts needs, no more.
-struct PairResult {
-    Vec3 force;                ///< on i [N]
-    Vec3 torque_i, torque_j;   ///< about the centers of mass [N m]
-    double elastic_energy;     ///< [J]
-    double dissipated_energy;  ///< during this step [J]
-    double wall_work;          ///< of a moving wall on the particle during this step [J]
-};
 
 /// A contact that ended, booked on the first particle of its pair.
 struct Parting {

@@ -298,6 +298,7 @@ void Outputs::write_end(const Simulation& simulation, const RunResult& result) c
                        .microseconds_per_particle_step = result.microseconds_per_particle_step,
                        .threads = simulation.team().most(),
                        .threads_used = simulation.team().mean_size(),
+                       .lanes = simulation.lanes().width,
                        .seed = scene.run.seed,
                        .state_hash = result.state_hash,
                        .measures = {},

@@ -27,7 +27,8 @@
 // still computes the same. The cost of one core is in cpu_us; the wall time says as much only on an
 // idle machine. Virtual machines are given more or fewer of the cycles of their cores from second
 // to second: `cycles` is cpu_us times the clock measured between the blocks, and can be compared
-// from run to run.
+// from run to run. `lanes`: contacts computed at a time; `rare_percent`: of those given to kernels
+// in the last step, how many were computed one by one after all.
 
 namespace dem::runtime {
 
@@ -214,13 +215,16 @@ void measure(const Settings& s, const Bed& bed, const Simulation& settling, int 
     const double count = simulation.particles().size();
     const auto contacts =
         static_cast<double>(std::count(touching.begin(), touching.end(), std::uint8_t{1}));
-    std::printf("%s,%u,%d,%.2f,%d,%.4f,%.4f,%.4f,%.0f,%.2f,%.2f,%.2f,%" PRIu64 ",%.0f,%016" PRIx64
-                "\n",
+    const LaneUse lanes = simulation.lanes();
+    const double rare = 100.0 * static_cast<double>(lanes.rare) /
+                        std::max(1.0, static_cast<double>(lanes.contacts));
+    std::printf("%s,%u,%d,%.2f,%d,%.4f,%.4f,%.4f,%.0f,%.2f,%.2f,%.2f,%" PRIu64
+                ",%.0f,%d,%.1f,%016" PRIx64 "\n",
                 s.scene.c_str(), simulation.particles().size(), threads,
                 simulation.team().mean_size(), steps, cost.wall, cost.cpu, cost.best_cpu,
                 cost.cycles, cost.clock, static_cast<double>(touching.size()) / count,
                 contacts / count, simulation.lists().rebuilds - rebuilds,
-                static_cast<double>(heap) / count, simulation.state_hash());
+                static_cast<double>(heap) / count, lanes.width, rare, simulation.state_hash());
     std::fflush(stdout);
 }
 
@@ -233,7 +237,7 @@ void measure(const Settings& s) {
     std::printf(
         "scene,particles,threads,threads_used,steps,us_per_particle_step,cpu_us,best_cpu_us,cycles,"
         "clock_ghz,"
-        "candidates,contacts,rebuilds,bytes_per_particle,state_hash\n");
+        "candidates,contacts,rebuilds,bytes_per_particle,lanes,rare_percent,state_hash\n");
     for (const int threads : s.threads) measure(s, bed, settling, threads);
 }
 

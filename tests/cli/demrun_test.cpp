@@ -36,6 +36,18 @@ TEST_F(Demrun, AnOverrideWithoutItsQuotesIsExplained) {
     EXPECT_EQ(demrun("--set run.seed=3 case.ini --check").code, 0);
 }
 
+TEST_F(Demrun, LanesThatThereAreNotAreNamed) {
+    for (const char* lanes : {"3", "16", "", "two"}) {
+        const Outcome outcome = run_command(
+            "DEM_LANES='" + std::string(lanes) + "' " + program("demrun") + " case.ini --check",
+            folder_);
+        EXPECT_EQ(outcome.code, 1) << lanes;
+        EXPECT_TRUE(outcome.errors.starts_with("demrun: error: DEM_LANES: '" + std::string(lanes) +
+                                               "' found, expected 1, 2, 4 or 8 and at most "))
+            << outcome.errors;
+    }
+}
+
 TEST_F(Demrun, NoMessageHasTwoLines) {
     EXPECT_EQ(demrun("'none\nto be\tfound.ini'").errors,
               "demrun: error: none\\nto be\\tfound.ini: no such file, expected a case file\n");

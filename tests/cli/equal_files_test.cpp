@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Equal commands write equal files, byte for byte: a second time, and on a processor that can do
-// less (what the C library is told by GLIBC_TUNABLES).
+// less (what the C library is told by GLIBC_TUNABLES, and DEM_LANES: one contact at a time).
 #include "tests/cli/program.hpp"
 #include "tests/formats/temporary_folder.hpp"
 
@@ -16,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* const older_processor =
+    "DEM_LANES=1 "
     "GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX512F,-AVX2_Usable,-FMA_Usable ";
 
 const char* const materials =
@@ -62,7 +63,8 @@ std::string mixed_drum(const char* law) {
 /// Every file below a folder by its name, without what the clock of the wall gave.
 std::map<std::string, std::string> contents(const fs::path& folder) {
     static const std::regex clock_times(
-        "(\"(wall|measure|output)_time\"|\"microseconds_per_particle_step\"|\"threads_used\"): "
+        "(\"(wall|measure|output)_time\"|\"microseconds_per_particle_step\"|\"threads_used\"|"
+        "\"lanes\"): "
         "[-+.e0-9]+");
     std::map<std::string, std::string> result;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {

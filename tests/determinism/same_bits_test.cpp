@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/random.hpp"
 #include "runtime/checkpoint/state_archive.hpp"
+#include "runtime/contact/lanes/lane_kernels.hpp"
 #include "runtime/contact/law/pair_law.hpp"
 #include "runtime/measure/energy.hpp"
 #include "runtime/simulation.hpp"
@@ -188,6 +189,19 @@ TEST_P(SameBits, ForAnyNumberOfThreadsAtAnyStep) {
     const auto expected = hashes(made({1}));
     for (const Threads& threads : {Threads{2}, Threads{3}, Threads{8}, Threads{1, 2, 3, 8, 1, 5}}) {
         EXPECT_EQ(hashes(made(threads)), expected) << testing::PrintToString(threads);
+    }
+}
+
+TEST_P(SameBits, ForAnyNumberOfLanes) {
+    const auto in_lanes = [](int lanes) {
+        Scene scene = made({2});
+        scene.run.lanes = lanes;
+        return hashes(std::move(scene));
+    };
+    const auto expected = in_lanes(1);
+    for (const int lanes : {2, 4, 8}) {
+        if (lane_kernels(lanes) == nullptr) continue;
+        EXPECT_EQ(in_lanes(lanes), expected) << lanes << " lanes";
     }
 }
 

@@ -3,9 +3,6 @@
 
 #include "runtime/contact/law/contact_law.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 /// R* of a contact over its life (docs/contact.md, "Effective radius").
 namespace dem::runtime {
 
@@ -32,41 +29,51 @@ inline bool needs_local_radius(const ContactLaw& law, const ContactHistory& hist
 }
 
 /// R* of this step [m].
-inline double effective_radius(const ContactLaw& law, double local_radius,
-                               const ContactHistory& history) {
-    const bool keeps =
-        law.geometry.radius != ContactLaw::Radius::local && history.effective_radius > 0.0;
-    return keeps ? history.effective_radius : local_radius;
+template <class Law, class Real, class History>
+Real effective_radius(const Law& law, const Real& local_radius, const History& history) {
+    if (law.geometry.radius == ContactLaw::Radius::local) return local_radius;
+    return select(history.effective_radius > 0.0, Real(history.effective_radius), local_radius);
 }
 
 /// How a contact ages in a step.
-struct Ageing {
-    double local_radius;  ///< R* of the place [m]
-    double radius;        ///< R* of the step [m]
-    double turn;          ///< of its own oscillation [rad]
-    double elastic;       ///< energy of the normal spring [J]
+template <class Real>
+struct AgeingOf {
+    Real local_radius;  ///< R* of the place [m]
+    Real radius;        ///< R* of the step [m]
+    Real turn;          ///< of its own oscillation [rad]
+    Real elastic;       ///< energy of the normal spring [J]
 };
+using Ageing = AgeingOf<double>;
+
+/// Lets R* drift where it is time, and returns what that took away of the energy of the normal
+/// spring [J].
+template <class Real, class History>
+Real drift_radius(const AgeingOf<Real>& by, Real& radius, History& history) {
+    const MaskOf<Real> drifts = history.phase >= settled_phase + drift_interval;
+    if (!any(drifts)) return Real{};
+    const Real drifted = radius + (by.local_radius - radius) * (drift_interval / drift_phase);
+    const Real most = larger<Real>(history.dissipated, Real{}) / by.elastic;
+    const Real share = clamped<Real>(root(drifted / radius), 1.0 - most, 1.0 + most);
+    radius = select(drifts, radius * square(share), radius);
+    history.phase = select(drifts, history.phase - drift_interval, Real(history.phase));
+    return select(drifts, (1.0 - share) * by.elastic, Real{});
+}
 
 /// Lets R* drift, ages the contact and returns what the change of R* took away of the energy of the
 /// normal spring [J], which goes with sqrt(R*). What it takes from the tangential spring,
 /// restiffen() finds in the next step. `history.dissipated`, up to date, bounds what the drift
 /// gives or takes: bodies that dissipate nothing neither gain nor lose by it.
-inline double age(const ContactLaw& law, const Ageing& by, ContactHistory& history) {
-    double radius = by.radius;
-    double loss = 0.0;
+template <class Law, class Real, class History>
+Real age(const Law& law, const AgeingOf<Real>& by, History& history) {
+    Real radius = by.radius;
+    Real loss{};
     if (law.model == ContactLaw::Model::linear) {
         // The stiffness knows no radius.
     } else if (law.geometry.radius == ContactLaw::Radius::local) {
-        if (history.effective_radius > 0.0)
-            loss = 0.5 * (history.effective_radius / radius - 1.0) * by.elastic;
-    } else if (law.geometry.radius == ContactLaw::Radius::onset &&
-               history.phase >= settled_phase + drift_interval) {
-        const double drifted = radius + (by.local_radius - radius) * (drift_interval / drift_phase);
-        const double most = std::max(history.dissipated, 0.0) / by.elastic;
-        const double root = std::clamp(std::sqrt(drifted / radius), 1.0 - most, 1.0 + most);
-        radius *= square(root);
-        loss = (1.0 - root) * by.elastic;
-        history.phase -= drift_interval;
+        loss = select(history.effective_radius > 0.0,
+                      0.5 * (history.effective_radius / radius - 1.0) * by.elastic, Real{});
+    } else if (law.geometry.radius == ContactLaw::Radius::onset) {
+        loss = drift_radius(by, radius, history);
     }
     history.effective_radius = radius;
     history.phase += by.turn;

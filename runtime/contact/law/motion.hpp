@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/math/lanes.hpp"
 #include "runtime/contact/contact_types.hpp"
 
 /// How two bodies move at a contact, and what of their masses resists there.
@@ -20,7 +21,8 @@ inline double inverse_inertia_along(const BodyState& body, const Vec3& a) {
 }
 
 /// 1/m* of two bodies moving without turning [1/kg].
-inline double inverse_reduced_mass(const PairState& pair) {
+template <class Pair>
+typename Pair::Real inverse_reduced_mass(const Pair& pair) {
     return pair.i.inverse_inertia.mass + pair.j.inverse_inertia.mass;
 }
 
@@ -33,44 +35,56 @@ inline double inverse_contact_mass(const PairState& pair, const Vec3& g, const V
 }
 
 /// What resists a tangential motion of a pair at its surfaces, [GC] Sec. 6.
-struct TangentialInertia {
-    double inverse_reduced = 0.0;  ///< 1/mu of the two masses [1/kg]
-    double inverse = 0.0;  ///< B: 1/mu and the mean squared surface distances over moments [1/kg]
+template <class Real>
+struct TangentialInertiaOf {
+    Real inverse_reduced;  ///< 1/mu of the two masses [1/kg]
+    Real inverse;  ///< B: 1/mu and the mean squared surface distances over moments [1/kg]
 };
-inline TangentialInertia tangential_inertia(const PairState& pair) {
-    const InverseInertia& i = pair.i.inverse_inertia;
-    const InverseInertia& j = pair.j.inverse_inertia;
-    const double reduced = i.mass + j.mass;
+template <class Pair>
+TangentialInertiaOf<typename Pair::Real> tangential_inertia(const Pair& pair) {
+    const auto& i = pair.i.inverse_inertia;
+    const auto& j = pair.j.inverse_inertia;
+    const typename Pair::Real reduced = i.mass + j.mass;
     return {reduced, reduced + i.surface + j.surface};
 }
 
+template <class Pair>
+using Vec3In = Vec3Of<typename Pair::Real>;
+
 /// Velocity of i relative to j at a point of lever r_i from the center of i [m/s].
-inline Vec3 relative_velocity(const PairState& pair, const Vec3& r_i) {
+template <class Pair>
+Vec3In<Pair> relative_velocity(const Pair& pair, const Vec3In<Pair>& r_i) {
     return pair.i.velocity - pair.j.velocity + pair.i.angular_velocity.cross(r_i) -
            pair.j.angular_velocity.cross(r_i - pair.displacement);
 }
 
 /// Mean angular velocity of the bodies about a normal, with which a contact turns [rad/s].
-inline double spin_about(const PairState& pair, const Vec3& normal) {
+template <class Pair>
+typename Pair::Real spin_about(const Pair& pair, const Vec3In<Pair>& normal) {
     return 0.5 * normal.dot(pair.i.angular_velocity + pair.j.angular_velocity);
 }
 
 /// One contact point as the law sees it.
-struct PointMotion {
-    const PairState& pair;
-    Vec3 lever;           ///< of the point from the center of i [m]
-    Vec3 normal;          ///< unit, from j towards i
-    double overlap;       ///< [m]
-    Vec3 velocity;        ///< of i relative to j at the point [m/s]
-    double overlap_rate;  ///< > 0 while approaching [m/s]
-    double inverse_mass;  ///< 1/m_e [1/kg]
+template <class Pair>
+struct PointMotionOf {
+    using Real = typename Pair::Real;
+    const Pair& pair;
+    Vec3Of<Real> lever;     ///< of the point from the center of i [m]
+    Vec3Of<Real> normal;    ///< unit, from j towards i
+    Real overlap;           ///< [m]
+    Vec3Of<Real> velocity;  ///< of i relative to j at the point [m/s]
+    Real overlap_rate;      ///< > 0 while approaching [m/s]
+    Real inverse_mass;      ///< 1/m_e [1/kg]
 };
+using PointMotion = PointMotionOf<PairState>;
 
 /// Motion at a point with a unit normal; the mass is left out.
-inline PointMotion motion_at(const PairState& pair, const Vec3& lever, const Vec3& normal,
-                             double overlap) {
-    const Vec3 velocity = relative_velocity(pair, lever);
-    return {pair, lever, normal, overlap, velocity, -velocity.dot(normal), 0.0};
+template <class Pair>
+PointMotionOf<Pair> motion_at(const Pair& pair, const Vec3In<Pair>& lever,
+                              const Vec3In<Pair>& normal, const typename Pair::Real& overlap) {
+    const Vec3In<Pair> velocity = relative_velocity(pair, lever);
+    return {pair, lever, normal, overlap, velocity, -velocity.dot(normal),
+            typename Pair::Real{}};
 }
 
 }  // namespace dem::runtime

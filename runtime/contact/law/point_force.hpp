@@ -10,44 +10,54 @@
 
 namespace dem::runtime {
 
-struct PointForce {
-    double normal;    ///< > 0 repulsive [N]
-    Vec3 tangential;  ///< on i [N]
-    Vec3 moment;      ///< on i, beside those of the forces; -moment on j [N m]
-    ContactEnergy energy;
+template <class Real>
+struct PointForceOf {
+    Real normal;              ///< > 0 repulsive [N]
+    Vec3Of<Real> tangential;  ///< on i [N]
+    Vec3Of<Real> moment;      ///< on i, beside those of the forces; -moment on j [N m]
+    ContactEnergyOf<Real> energy;
 };
+using PointForce = PointForceOf<double>;
 
 /// The law of a contact of one point, without the levers of its forces.
-inline PointForce point_force(const PointMotion& point, double local_radius, const ContactLaw& law,
-                              double dt, PointHistory& history) {
-    const PairState& pair = point.pair;
-    const Vec3& n = point.normal;
-    const Vec3 last_normal = history.normal;
-    const bool is_new = !history.touched();
-    const double taken = history.dissipated;
-    const double radius = effective_radius(law, local_radius, history);
-    const ContactCoefficients c = contact_coefficients(
+template <class Pair, class Law, class History>
+PointForceOf<typename Pair::Real> point_force(const PointMotionOf<Pair>& point,
+                                              const typename Pair::Real& local_radius,
+                                              const Law& law, double dt, History& history) {
+    using Real = typename Pair::Real;
+    const Pair& pair = point.pair;
+    const Vec3Of<Real>& n = point.normal;
+    const Vec3Of<Real> last_normal = history.normal;
+    const MaskOf<Real> is_new = no(history.touched());
+    const Real taken = history.dissipated;
+    const Real radius = effective_radius(law, local_radius, history);
+    const ContactCoefficientsOf<Real> c = contact_coefficients(
         law, radius, point.overlap, point.inverse_mass, tangential_inertia(pair));
 
-    const NormalForce normal = normal_force(law, c, {point.overlap, point.overlap_rate}, dt);
-    const double normal_elastic = elastic_share(law) * normal.elastic_part * point.overlap;
-    const double load = friction_load(law, normal.elastic_part, normal.size);
-    PointForce f{normal.size, Vec3::Zero(), Vec3::Zero(), {normal_elastic, normal.dissipated}};
-    if (law.friction > 0.0) {
-        const Sliding sliding{point.velocity, n, last_normal, spin_about(pair, n) * dt, is_new, dt};
+    const NormalForceOf<Real> normal =
+        normal_force(law, c, {point.overlap, point.overlap_rate}, dt);
+    const Real normal_elastic = elastic_share(law) * normal.elastic_part * point.overlap;
+    const Real load = friction_load(law, normal.elastic_part, normal.size);
+    PointForceOf<Real> f{
+        normal.size, Vec3Of<Real>::Zero(), Vec3Of<Real>::Zero(), {normal_elastic, normal.dissipated}};
+    if (all(law.friction > 0.0)) {
+        const SlidingOf<Real> sliding{
+            point.velocity, n, last_normal, spin_about(pair, n) * dt, is_new, dt};
         f.tangential = friction_force({c.k_t, c.gamma_t, law.friction * load}, sliding, taken,
                                       history, f.energy);
     }
-    f.moment =
-        end_step(law, {pair, dt, is_new, n, last_normal, point.lever, c.k_n, load, taken},
-                 {local_radius, radius, c.frequency * dt, normal_elastic}, history, f.energy);
+    const WholeContactOf<Pair> whole{pair,        dt,    is_new, n,    last_normal,
+                                     point.lever, c.k_n, load,   taken};
+    f.moment = end_step(
+        law, whole, AgeingOf<Real>{local_radius, radius, c.frequency * dt, normal_elastic}, history,
+        f.energy);
     return f;
 }
 
-/// The contact that the force of a point at an overlap makes; force and torques are left to where
-/// the levers are known.
-inline PairContact point_contact(const PointForce& f, double overlap) {
-    PairContact contact;
+/// What the law of one point gives, with the torques of its forces still to be added.
+template <class Contact, class Real>
+Contact point_contact(const PointForceOf<Real>& f, const Real& overlap) {
+    Contact contact;
     contact.torque_i = f.moment;
     contact.torque_j = -f.moment;
     contact.overlap = overlap;

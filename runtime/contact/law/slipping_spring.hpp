@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/math/types.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "common/math/lanes.hpp"
 
 /// Springs with dashpots that slip, and how they are carried along with a contact
 /// (docs/contact.md, "Tangential spring", "Slip"): the way all friction is made of.
@@ -24,14 +21,18 @@ inline double held_energy(const SpringHistory& history) {
 
 /// Carries a spring in the plane of `old_normal` into the plane of `normal`: the smallest rotation
 /// between the two, then `spin` [rad] about the new one. Both keep its length.
-inline Vec3 carried(const Vec3& spring, const Vec3& old_normal, const Vec3& normal, double spin) {
-    const double cosine = old_normal.dot(normal);
+template <class Real>
+Vec3Of<Real> carried(const Vec3Of<Real>& spring, const Vec3Of<Real>& old_normal,
+                     const Vec3Of<Real>& normal, const Real& spin) {
+    const Real cosine = old_normal.dot(normal);
+    const Vec3Of<Real> s =
+        spring - (old_normal + normal) * Real(normal.dot(spring) / (1.0 + cosine));
+    const Real t = 0.5 * spin;  // rotation by 2 atan(t), Cayley
+    const Real scale = 1.0 / (1.0 + t * t);
+    const Vec3Of<Real> turned =
+        Real((1.0 - t * t) * scale) * s + Real(2.0 * t * scale) * normal.cross(s);
     // A normal that turned round within a step is another contact.
-    if (cosine < -0.9) return Vec3::Zero();
-    const Vec3 s = spring - (old_normal + normal) * (normal.dot(spring) / (1.0 + cosine));
-    const double t = 0.5 * spin;  // rotation by 2 atan(t), Cayley
-    const double scale = 1.0 / (1.0 + t * t);
-    return ((1.0 - t * t) * scale) * s + (2.0 * t * scale) * normal.cross(s);
+    return select(cosine < -0.9, Vec3Of<Real>(Vec3Of<Real>::Zero()), turned);
 }
 
 /// Gives a spring its stiffness k of this step, which was `before` in the last, and returns the
@@ -40,27 +41,33 @@ inline Vec3 carried(const Vec3& spring, const Vec3& old_normal, const Vec3& norm
 /// separate. The length stays, so that a spring that stiffens gains; where that were more than
 /// `dissipated`, what the contact has taken before [J], the force stays instead, as it does in the
 /// theory of elastic contacts under rising load, and the spring becomes shorter.
-inline double restiffen(double before, double k, double dissipated, Vec3& lead) {
-    const double size2 = lead.squaredNorm();
-    const double loss = 0.5 * (before - k) * size2;
-    if (-loss <= std::max(dissipated, 0.0)) return loss;
-    const double kept = before / k;
-    lead *= kept;
-    return 0.5 * before * (1.0 - kept) * size2;
+template <class Real>
+Real restiffen(const Real& before, const Real& k, const Real& dissipated, Vec3Of<Real>& lead) {
+    const Real size2 = lead.squaredNorm();
+    const Real loss = 0.5 * (before - k) * size2;
+    const MaskOf<Real> keeps_force = no(-loss <= larger(dissipated, Real{}));
+    if (!any(keeps_force)) return loss;
+    const Real kept = before / k;
+    lead = select(keeps_force, Vec3Of<Real>(lead * kept), lead);
+    return select(keeps_force, 0.5 * before * (1.0 - kept) * size2, loss);
 }
 
 /// A spring with its dashpot, and the force at which it slips.
-struct SlippingSpring {
-    double k;      ///< [N/m]
-    double gamma;  ///< [kg/s]
-    double limit;  ///< [N]
+template <class Real>
+struct SlippingSpringOf {
+    Real k;      ///< [N/m]
+    Real gamma;  ///< [kg/s]
+    Real limit;  ///< [N]
 };
+using SlippingSpring = SlippingSpringOf<double>;
 
-struct SpringForce {
-    Vec3 force;         ///< [N]
-    double elastic;     ///< [J]
-    double dissipated;  ///< in this step [J]
+template <class Real>
+struct SpringForceOf {
+    Vec3Of<Real> force;  ///< [N]
+    Real elastic;        ///< [J]
+    Real dissipated;     ///< in this step [J]
 };
+using SpringForce = SpringForceOf<double>;
 
 /// Spring and dashpot cut at the limit. The force of this step uses the spring at its end,
 /// integrated by the trapezoidal rule (second order): `lead`, what the history stores, is ahead of
@@ -73,23 +80,32 @@ struct SpringForce {
 /// cut spring, averaged over the step, along the way that was cut off: the spring's own loss of
 /// energy counts the whole way at the stretched length and is more by half of k u dt times that
 /// way, an error of first order in dt.
-inline SpringForce slipping_force(const SlippingSpring& s, const Vec3& u, double dt, Vec3& lead) {
-    const Vec3 half_way = 0.5 * dt * u;
-    Vec3 spring = lead + half_way;
-    Vec3 force = -s.k * spring - s.gamma * u;
-    const double before = 0.5 * s.k * spring.squaredNorm();
-    double elastic = before;
-    double slip = 0.0;
-    const double size2 = force.squaredNorm();
-    if (size2 > s.limit * s.limit) {
-        force *= s.limit / std::sqrt(size2);
-        const Vec3 spring_force = force + s.gamma * u;
-        spring = spring_force.dot(force) > 0.0 ? Vec3(spring_force / -s.k) : Vec3::Zero();
-        elastic = 0.5 * s.k * spring.squaredNorm();
-        slip = before - elastic - s.k * half_way.dot(lead + half_way - spring);
+template <class Real>
+SpringForceOf<Real> slipping_force(const SlippingSpringOf<Real>& s, const Vec3Of<Real>& u,
+                                   double dt, Vec3Of<Real>& lead) {
+    using Vector = Vec3Of<Real>;
+    const Vector half_way = 0.5 * dt * u;
+    Vector spring = lead + half_way;
+    Vector force = -s.k * spring - s.gamma * u;
+    const Real before = 0.5 * s.k * spring.squaredNorm();
+    Real elastic = before;
+    Real slip{};
+    const Real size2 = force.squaredNorm();
+    const MaskOf<Real> slips = size2 > s.limit * s.limit;
+    if (any(slips)) {
+        const Vector cut = force * Real(s.limit / root(size2));
+        const Vector spring_force = cut + s.gamma * u;
+        const Vector cut_spring = select(spring_force.dot(cut) > 0.0, Vector(spring_force / -s.k),
+                                         Vector(Vector::Zero()));
+        const Real cut_elastic = 0.5 * s.k * cut_spring.squaredNorm();
+        slip = select(
+            slips, before - cut_elastic - s.k * half_way.dot(lead + half_way - cut_spring), slip);
+        elastic = select(slips, cut_elastic, elastic);
+        spring = select(slips, cut_spring, spring);
+        force = select(slips, cut, force);
     }
     lead = spring + half_way;
-    const double dashpot = -(force + s.k * spring).dot(u) * dt;
+    const Real dashpot = -(force + s.k * spring).dot(u) * dt;
     return {force, elastic, dashpot + slip};
 }
 

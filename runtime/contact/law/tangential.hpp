@@ -3,31 +3,40 @@
 
 #include "runtime/contact/law/contact_law.hpp"
 #include "runtime/contact/law/slipping_spring.hpp"
+#include "runtime/contact/law/whole_contact.hpp"
 
 /// Friction along the surface (docs/contact.md, "Tangential spring", "Without slip"):
 ///   F_t = -k_t s - gamma_t u_t, |F_t| <= mu times the load
 namespace dem::runtime {
 
 /// How the surfaces slide at a place, and how the contact has turned since the step before.
-struct Sliding {
-    Vec3 velocity;     ///< of i relative to j at the place [m/s]
-    Vec3 normal;       ///< unit
-    Vec3 last_normal;  ///< in the step before
-    double turn;       ///< of the contact about the normal in this step [rad]
-    bool is_new;       ///< the place did not touch in the step before
-    double dt;         ///< [s]
+template <class Real>
+struct SlidingOf {
+    Vec3Of<Real> velocity;     ///< of i relative to j at the place [m/s]
+    Vec3Of<Real> normal;       ///< unit
+    Vec3Of<Real> last_normal;  ///< in the step before
+    Real turn;                 ///< of the contact about the normal in this step [rad]
+    MaskOf<Real> is_new;       ///< the place did not touch in the step before
+    double dt;                 ///< [s]
 };
+using Sliding = SlidingOf<double>;
 
 /// Friction at a place [N], on i: its spring, carried to where the contact is now, with the
 /// stiffness of now. `taken`: what the contact has dissipated before this step [J].
-inline Vec3 friction_force(const SlippingSpring& s, const Sliding& by, double taken,
-                           SpringHistory& history, ContactEnergy& energy) {
-    const Vec3& n = by.normal;
-    const Vec3 u_t = by.velocity - by.velocity.dot(n) * n;
-    Vec3 spring = Vec3::Zero();
-    if (!by.is_new) spring = carried(history.spring, by.last_normal, n, by.turn);
-    energy.dissipated += restiffen(history.stiffness, s.k, taken + energy.dissipated, spring);
-    const SpringForce f = slipping_force(s, u_t, by.dt, spring);
+template <class Real, class History>
+Vec3Of<Real> friction_force(const SlippingSpringOf<Real>& s, const SlidingOf<Real>& by,
+                            const Real& taken, History& history, ContactEnergyOf<Real>& energy) {
+    const Vec3Of<Real>& n = by.normal;
+    const Vec3Of<Real> u_t = by.velocity - by.velocity.dot(n) * n;
+    const Vec3Of<Real> none = Vec3Of<Real>::Zero();
+    Vec3Of<Real> spring = none;
+    if (!all(by.is_new)) {
+        const Vec3Of<Real> last = history.spring;
+        spring = select(by.is_new, none, carried(last, by.last_normal, n, by.turn));
+    }
+    energy.dissipated +=
+        restiffen<Real>(history.stiffness, s.k, taken + energy.dissipated, spring);
+    const SpringForceOf<Real> f = slipping_force(s, u_t, by.dt, spring);
     history.spring = spring;
     history.stiffness = s.k;
     energy.elastic += f.elastic;

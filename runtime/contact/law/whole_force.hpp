@@ -8,9 +8,11 @@ namespace dem::runtime {
 
 /// The end of every contact's step, after its normal forces and its friction: the parts that act
 /// once per contact, then its history. Returns the moment on i [N m]; -moment acts on j.
-inline Vec3 end_step(const ContactLaw& law, const WholeContact& contact, const Ageing& ageing,
-                     ContactHistory& history, ContactEnergy& energy) {
-    Vec3 moment = moment_of_parts(law, contact, history, energy);
+template <class Law, class Pair, class Real, class History>
+Vec3Of<Real> end_step(const Law& law, const WholeContactOf<Pair>& contact,
+                      const AgeingOf<Real>& ageing, History& history,
+                      ContactEnergyOf<Real>& energy) {
+    const Vec3Of<Real> moment = moment_of_parts(law, contact, history, energy);
     history.normal = contact.normal;
     history.dissipated += energy.dissipated;
     energy.dissipated += age(law, ageing, history);

@@ -4,23 +4,29 @@
 #include "common/shapes/sphere.hpp"
 #include "runtime/contact/law/sphere_force.hpp"
 
-#include <cmath>
-
 namespace dem::runtime {
 
-/// Two spheres; the contact point lies in the middle of the overlap.
+/// Where two spheres touch: in the middle of the overlap. `d`: from the center of i to that of j
+/// [m]; `distance2`: its squared length.
+template <class Real>
+SpherePointOf<Real> touching_spheres(const Real& radius_i, const Real& radius_j,
+                                     const Vec3Of<Real>& d, const Real& distance2) {
+    using Vector = Vec3Of<Real>;
+    const Real reach = radius_i + radius_j;
+    const Real distance = root(distance2);
+    // Coincident centers have no normal: any will do, the overlap check stops such a run.
+    const Vector n = select(distance > 0.0, Vector(-d / distance), Vector(Vector::UnitZ()));
+    const Real overlap = reach - distance;
+    const Vector r_i = Real(-(radius_i - 0.5 * overlap)) * n;
+    return {n, overlap, r_i, radius_i * radius_j / reach};
+}
+
 inline PairContact collide(const Sphere& a, const Sphere& b, const SphereCall& call) {
     const Vec3& d = call.pair.displacement;
-    const double reach = a.radius + b.radius;
     const double distance2 = d.squaredNorm();
-    if (!(distance2 < reach * reach)) return apart(call);
-    const double distance = std::sqrt(distance2);
-    // Coincident centers have no normal: any will do, the overlap check stops such a run.
-    const Vec3 n = distance > 0.0 ? Vec3(-d / distance) : Vec3::UnitZ();
-    const double overlap = reach - distance;
-    const Vec3 r_i = -(a.radius - 0.5 * overlap) * n;
-    const SpherePoint point{n, overlap, r_i, a.radius * b.radius / reach};
-    return sphere_force<Partner::sphere>(point, call.pair, call.law, call.dt, call.memory.history);
+    if (!(distance2 < square(a.radius + b.radius))) return apart(call);
+    return sphere_force<Partner::sphere>(touching_spheres(a.radius, b.radius, d, distance2),
+                                         call.pair, call.law, call.dt, call.memory.history);
 }
 
 }  // namespace dem::runtime

@@ -28,32 +28,6 @@ Side<SphereSupport> side(const Sphere& shape, const BodyState&) {
     return {{shape.radius}, shape.radius, 2.0 * shape.radius};
 }
 
-/// Effective mass along the common normal. The lever of a body of revolution and the normal lie in
-/// a plane with its axis, so their product turns it about a transverse axis alone.
-double inverse_mass_at(const PairState& pair, const ContactLaw& law, const Vec3& n,
-                       const Vec3& r_i) {
-    double inverse = inverse_reduced_mass(pair);
-    if (law.damping_mass == ContactLaw::DampingMass::contact) {
-        const Vec3 r_j = r_i - pair.displacement;
-        inverse += pair.i.inverse_inertia.moments.x() * r_i.cross(n).squaredNorm() +
-                   pair.j.inverse_inertia.moments.x() * r_j.cross(n).squaredNorm();
-    }
-    return inverse;
-}
-
-PairContact force_at(const CommonNormal& at, double local_radius, const PairState& pair,
-                     const ContactLaw& law, double dt, PointHistory& history) {
-    PointMotion motion = motion_at(pair, at.middle, -at.n, at.f);
-    motion.inverse_mass = inverse_mass_at(pair, law, at.n, at.middle);
-    const PointForce f = point_force(motion, local_radius, law, dt, history);
-
-    PairContact contact = point_contact(f, at.f);
-    contact.force = f.tangential - f.normal * at.n;
-    contact.torque_i += at.middle.cross(contact.force);
-    contact.torque_j += (pair.displacement - at.middle).cross(contact.force);
-    return contact;
-}
-
 template <class SupportI, class SupportJ>
 double local_radius(const Side<SupportI>& i, const Side<SupportJ>& j, const Vec3& n,
                     const ContactLaw& law) {

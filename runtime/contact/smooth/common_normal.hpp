@@ -15,21 +15,23 @@
 namespace dem::runtime {
 
 /// f at a direction with the gradient and all that the second derivative needs.
-struct NormalProbe {
-    Vec3 n;
-    double f;       ///< [m]
-    Vec3 gradient;  ///< tangential [m]
-    SupportSample i, j;
+template <class Real>
+struct NormalProbeOf {
+    Vec3Of<Real> n;
+    Real f;                 ///< [m]
+    Vec3Of<Real> gradient;  ///< tangential [m]
+    SupportSampleOf<Real> i, j;
 };
+using NormalProbe = NormalProbeOf<double>;
 
-template <class SupportI, class SupportJ>
-NormalProbe probe(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
-                  const Vec3& n) {
-    NormalProbe p;
+template <class Real = double, class SupportI, class SupportJ>
+NormalProbeOf<Real> probe(const SupportI& support_i, const SupportJ& support_j,
+                          const Vec3Of<Real>& d, const Vec3Of<Real>& n) {
+    NormalProbeOf<Real> p;
     p.n = n;
     p.i = support_i(n);
     p.j = support_j(-n);
-    const double along = n.dot(d);
+    const Real along = n.dot(d);
     p.f = p.i.h + p.j.h - along;
     // The meridian of -n points the same way as that of n, and so does the support point's part.
     p.gradient = p.i.tangential * p.i.meridian - p.j.tangential * p.j.meridian - (d - along * n);
@@ -37,50 +39,62 @@ NormalProbe probe(const SupportI& support_i, const SupportJ& support_j, const Ve
 }
 
 /// Any unit vector normal to the unit vector n.
-inline Vec3 any_tangent(const Vec3& n) {
-    const Vec3 other = std::abs(n.x()) < 0.7 ? Vec3::UnitX() : Vec3::UnitY();
-    return (other - other.dot(n) * n).normalized();
+template <class Real = double>
+Vec3Of<Real> any_tangent(const Vec3Of<Real>& n) {
+    using Vector = Vec3Of<Real>;
+    const Vector other =
+        select(absolute(n.x()) < 0.7, Vector(Vector::UnitX()), Vector(Vector::UnitY()));
+    const Vector tangent = other - other.dot(n) * n;
+    return tangent / tangent.norm();
 }
 
 /// A unit vector that was carried from step to step, as long as it should be. Its length drifts by
 /// rounding, and a step of the search makes an error of it larger: flats have support points from
 /// centers thousands of times the size away.
-inline Vec3 unit_again(const Vec3& n) {
-    return n * (1.5 - 0.5 * n.squaredNorm());
+template <class Real = double>
+Vec3Of<Real> unit_again(const Vec3Of<Real>& n) {
+    return n * Real(1.5 - 0.5 * n.squaredNorm());
 }
 
-struct NewtonStep {
-    Vec3 turn;    ///< in the tangent plane [rad]
-    bool lifted;  ///< f is not convex enough here, the step is shorter than Newton's
+template <class Real>
+struct NewtonStepOf {
+    Vec3Of<Real> turn;    ///< in the tangent plane [rad]
+    MaskOf<Real> lifted;  ///< f is not convex enough here, the step is shorter than Newton's
 };
+using NewtonStep = NewtonStepOf<double>;
 
 /// Newton step to the minimum of f. The second derivative of f on the sphere is
 ///     (across_i + across_j - f) 1 + excess_i m_i m_i^T + excess_j m_j m_j^T,
 /// lifted to eigenvalues of at least `floor` [m] where f is not convex.
-inline NewtonStep newton_step(const NormalProbe& p, double floor) {
-    Vec3 e1 = p.i.meridian;
-    if (p.i.excess == 0.0) e1 = p.j.excess == 0.0 ? any_tangent(p.n) : p.j.meridian;
-    const Vec3 e2 = p.n.cross(e1);
-    const double a = p.j.meridian.dot(e1);
-    const double b = p.j.meridian.dot(e2);
-    const double base = p.i.across + p.j.across - p.f;
-    double h11 = base + p.i.excess + p.j.excess * a * a;
-    double h22 = base + p.j.excess * b * b;
-    const double h12 = p.j.excess * a * b;
-    const double half_trace = 0.5 * (h11 + h22);
-    double determinant = h11 * h22 - h12 * h12;
-    const bool lifted = half_trace < floor || determinant < floor * (2.0 * half_trace - floor);
-    if (lifted) {
-        const double half_gap = std::sqrt(square(0.5 * (h11 - h22)) + h12 * h12);
-        const double shift = floor - (half_trace - half_gap);
+template <class Real>
+NewtonStepOf<Real> newton_step(const NormalProbeOf<Real>& p, const Real& floor) {
+    using Vector = Vec3Of<Real>;
+    Vector e1 = select(p.i.excess == 0.0, p.j.meridian, p.i.meridian);
+    const MaskOf<Real> has_none = both(p.i.excess == 0.0, p.j.excess == 0.0);
+    if (any(has_none)) e1 = select(has_none, any_tangent<Real>(p.n), e1);
+    const Vector e2 = p.n.cross(e1);
+    const Real a = p.j.meridian.dot(e1);
+    const Real b = p.j.meridian.dot(e2);
+    const Real base = p.i.across + p.j.across - p.f;
+    Real h11 = base + p.i.excess + p.j.excess * a * a;
+    Real h22 = base + p.j.excess * b * b;
+    const Real h12 = p.j.excess * a * b;
+    const Real half_trace = 0.5 * (h11 + h22);
+    Real determinant = h11 * h22 - h12 * h12;
+    const MaskOf<Real> lifted =
+        either(half_trace < floor, determinant < floor * (2.0 * half_trace - floor));
+    if (any(lifted)) {
+        const Real half_gap = root(square(Real(0.5 * (h11 - h22))) + h12 * h12);
+        const Real shift = select(lifted, floor - (half_trace - half_gap), Real{});
         h11 += shift;
         h22 += shift;
-        determinant = h11 * h22 - h12 * h12;
+        determinant = select(lifted, h11 * h22 - h12 * h12, determinant);
     }
-    const double g1 = p.gradient.dot(e1);
-    const double g2 = p.gradient.dot(e2);
-    const double scale = -1.0 / determinant;
-    return {(scale * (h22 * g1 - h12 * g2)) * e1 + (scale * (h11 * g2 - h12 * g1)) * e2, lifted};
+    const Real g1 = p.gradient.dot(e1);
+    const Real g2 = p.gradient.dot(e2);
+    const Real scale = -1.0 / determinant;
+    return {Real(scale * (h22 * g1 - h12 * g2)) * e1 + Real(scale * (h11 * g2 - h12 * g1)) * e2,
+            lifted};
 }
 
 /// Search parameters; lengths relative to |d|.
@@ -172,21 +186,26 @@ NormalProbe common_normal(const SupportI& support_i, const SupportJ& support_j, 
 }
 
 /// Where two bodies share a normal.
-struct CommonNormal {
-    Vec3 n;       ///< from i to j, unit
-    double f;     ///< [m]
-    Vec3 middle;  ///< between the two surface points, from the center of i [m]
+template <class Real>
+struct CommonNormalOf {
+    Vec3Of<Real> n;       ///< from i to j, unit
+    Real f;               ///< [m]
+    Vec3Of<Real> middle;  ///< between the two surface points, from the center of i [m]
 };
+using CommonNormal = CommonNormalOf<double>;
 
-inline CommonNormal result_of(const NormalProbe& p, const Vec3& d) {
+template <class Real>
+CommonNormalOf<Real> result_of(const NormalProbeOf<Real>& p, const Vec3Of<Real>& d) {
     return {p.n, p.f, 0.5 * (p.i.point(p.n) + p.j.point(-p.n) + d)};
 }
 
 /// The minimum as the second derivative at a nearby direction shows it, without evaluating f there.
 /// What is left out is of the order of the turn squared.
-inline CommonNormal extrapolated(const NormalProbe& p, const Vec3& turn, const Vec3& d) {
-    CommonNormal c = result_of(p, d);
-    c.n = (p.n + turn) * (1.0 - 0.5 * turn.squaredNorm());
+template <class Real>
+CommonNormalOf<Real> extrapolated(const NormalProbeOf<Real>& p, const Vec3Of<Real>& turn,
+                                  const Vec3Of<Real>& d) {
+    CommonNormalOf<Real> c = result_of(p, d);
+    c.n = (p.n + turn) * Real(1.0 - 0.5 * turn.squaredNorm());
     c.f += 0.5 * p.gradient.dot(turn);
     c.middle += 0.5 * (p.i.shift(turn) - p.j.shift(turn));
     return c;
@@ -194,12 +213,15 @@ inline CommonNormal extrapolated(const NormalProbe& p, const Vec3& turn, const V
 
 /// Whether a turn is small enough for that: nowhere near a jump of the curvature, and what is left
 /// out of the contact point below `extrapolation` |d|.
-inline bool is_close(const NormalProbe& p, const NewtonStep& step, double size) {
-    const double turn2 = step.turn.squaredNorm();
-    const double room = std::min(p.i.room, p.j.room);
-    const double radius = p.i.across + p.j.across + std::abs(p.i.excess) + std::abs(p.j.excess);
-    return !step.lifted && 4.0 * turn2 < room * room &&
-           turn2 * (radius + size) < NormalSearch::extrapolation * size;
+template <class Real>
+MaskOf<Real> is_close(const NormalProbeOf<Real>& p, const NewtonStepOf<Real>& step,
+                      const Real& size) {
+    const Real turn2 = step.turn.squaredNorm();
+    const Real room = smaller(p.i.room, p.j.room);
+    const Real radius = p.i.across + p.j.across + absolute(p.i.excess) + absolute(p.j.excess);
+    return both(no(step.lifted),
+                both(4.0 * turn2 < room * room,
+                     turn2 * (radius + size) < NormalSearch::extrapolation * size));
 }
 
 /// A minimum and where f was last evaluated: there, or where it was extrapolated from.

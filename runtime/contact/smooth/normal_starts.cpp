@@ -46,7 +46,7 @@ void NormalStarts::add_meridian(const SrSupport& body, const Vec3& m, double sig
     const double u = m.dot(body.axis);
     const Vec3 off_axis = m - u * body.axis;
     const double n_r = off_axis.norm();
-    if (n_r <= SrSupport::pole) return;
+    if (n_r <= pole) return;
     const Meridian meridian{body.map, off_axis / n_r, body.axis, sign};
     const int here = piece_at(body, m, u);
     if (meridian.is_edge(here)) add(meridian.middle(here));
@@ -64,11 +64,11 @@ void NormalStarts::add_tip(const SrSupport& body, const Vec3& m, double sign,
     // The circle's tangent; directions normal to it are e1 and e2.
     const Vec3 across = m.cross(other_axis);
     const double size = across.norm();
-    if (size <= SrSupport::pole) return;
+    if (size <= pole) return;
     const Vec3 tangent = across / size;
     const Vec3 in_plane = body.axis - body.axis.dot(tangent) * tangent;
     const double cosine = in_plane.norm();
-    if (cosine <= SrSupport::pole) return;
+    if (cosine <= pole) return;
     const Vec3 e1 = in_plane / cosine;
     const Vec3 e2 = tangent.cross(e1);
     const Meridian meridian{body.map, any_tangent(body.axis), body.axis, 1.0};

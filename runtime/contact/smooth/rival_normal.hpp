@@ -14,21 +14,50 @@ namespace dem::runtime {
 
 /// Radius of a ball that fits into a body and touches its surface at a support point, and at those
 /// half of the room away: a lower bound [m].
-inline double ball_within(const SupportBounds& bounds, const SupportSample& s) {
-    const double room = 0.5 * std::min(s.room, 1.0);
-    return std::max(bounds.shortest_radius, bounds.ball_slope * s.along() * room);
+template <class Bounds, class Real>
+Real ball_within(const Bounds& bounds, const SupportSampleOf<Real>& s) {
+    const Real room = 0.5 * smaller(s.room, in_all<Real>(1.0));
+    return larger<Real>(bounds.shortest_radius, bounds.ball_slope * s.along() * room);
+}
+
+/// Distance of a support point from the axis of its body [m].
+template <class Real>
+Real radius_of(const SupportSampleOf<Real>& s, const Vec3Of<Real>& n, const Vec3Of<Real>& axis) {
+    return s.point(n).cross(axis).norm();
 }
 
 /// Whether the cross-sections of both bodies at their support points prove that no other minimum is
-/// as low as the one at p.
-bool is_least_by_crossing(const NormalProbe& p, const SrSupport& i, const SrSupport& j,
-                          const Vec3& d);
+/// as low as the one at p. `distance`: |d|; `inner`: the sum of both bodies' inner radii [m].
+template <class Real, class SupportI, class SupportJ>
+MaskOf<Real> is_least_by_crossing(const NormalProbeOf<Real>& p, const SupportI& i,
+                                  const SupportJ& j, const Vec3Of<Real>& d) {
+    const Real one = in_all<Real>(1.0);
+    const Real distance = d.norm();
+    const Real inner = i.bounds().inner_radius + j.bounds().inner_radius;
+    // Minima as low as p.f lie within an angle from d whose cosine is `nearest`; p.n itself does.
+    const Real nearest = (inner - p.f) / distance;
+    const Real here = smaller<Real>(one, p.n.dot(d) / distance);
+    const Real farthest =
+        here * nearest - root(larger<Real>(Real{}, (1.0 - square(here)) * (1.0 - square(nearest))));
+    const Real r_i = radius_of<Real>(p.i, p.n, i.axis);
+    const Real r_j = radius_of<Real>(p.j, -p.n, j.axis);
+    const Real sine2 = 1.0 - square(Real(p.i.meridian.dot(p.j.meridian)));
+    const Real sum = r_i + r_j;
+    const Real least =
+        0.5 * (sum - root(larger<Real>(Real{}, square(sum) - 4.0 * r_i * r_j * sine2)));
+    const MaskOf<Real> no_room = nearest >= 1.0;
+    const MaskOf<Real> some_room = nearest > -1.0;
+    return either(no_room, both(some_room, least * (1.0 + farthest) >= 2.0 * p.f));
+}
 
 /// Whether no other minimum of f is as low as the one at p, or at a place so near that none of the
 /// pieces ends half way to it. False where that is not certain.
-inline bool is_least(const NormalProbe& p, const SrSupport& i, const SrSupport& j, const Vec3& d) {
-    return ball_within(i.map.bounds, p.i) + ball_within(j.map.bounds, p.j) >= p.f ||
-           is_least_by_crossing(p, i, j, d);
+template <class Real, class SupportI, class SupportJ>
+MaskOf<Real> is_least(const NormalProbeOf<Real>& p, const SupportI& i, const SupportJ& j,
+                      const Vec3Of<Real>& d) {
+    const MaskOf<Real> within = ball_within(i.bounds(), p.i) + ball_within(j.bounds(), p.j) >= p.f;
+    if (all(within)) return within;
+    return either(within, is_least_by_crossing(p, i, j, d));
 }
 
 /// The lowest other minimum, if there is one no higher than `highest` [m].

@@ -41,7 +41,7 @@ struct RodSupport {
         const double n_r = to_axis.norm();
         const double end = std::copysign(half_length, u);
         const double h = radius * n_r + end * u;
-        if (n_r <= SrSupport::pole) return {h, Vec3::Zero(), 0.0, 0.0, 0.0, 0.0};
+        if (n_r <= pole) return {h, Vec3::Zero(), 0.0, 0.0, 0.0, 0.0};
         const double across = radius / n_r;
         return {h,      to_axis / n_r, end * n_r - radius * u,
                 across, -across,       std::min(n_r, std::abs(u))};
