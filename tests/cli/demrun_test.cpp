@@ -306,7 +306,7 @@ TEST_F(Demrun, WhatIsMissingIsSaidWithWhatIsExpected) {
                 "--set particles.t.template: .: is a folder, expected a template made "
                 "by shapegen");
     expect_line("--check --set particles.balls.fixed=yes",
-                "case.ini: time_step = auto found where no body can move, expected a time_step");
+                "case.ini: found time_step = auto where no body can move, expected a time_step");
     expect_line("--out case.ini",
                 "case.ini: is no folder, expected one for the results or a new name (--out)");
     expect_line("--out case.ini/sub",
