@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A function that every file with this header would define.
-inline double shared_by_all(double x);
-
-double called_in_lanes(double x) {
-    return shared_by_all(x);
+template <class Number>
+[[gnu::noinline]] Number shared_by_all(Number x) {
+    return x * x;
 }
 
-__attribute__((noinline)) inline double shared_by_all(double x) {
-    return x * x;
+double called_in_lanes(double x);
+double called_in_lanes(double x) {
+    return shared_by_all(x);
 }

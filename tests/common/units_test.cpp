@@ -62,9 +62,9 @@ TEST(Units, TextThatIsNotOneFiniteNumberIsRefused) {
 }
 
 TEST(Units, MessagesNameWhatWasFoundWhatWasMeantAndWhatIsKnown) {
-    EXPECT_EQ(
-        message_of("6.5 mn", Dimension::length),
-        "'6.5 mn': unknown unit 'mn', did you mean 'mm'?, expected a length (m, mm, um, cm or in)");
+    EXPECT_EQ(message_of("6.5 mn", Dimension::length),
+              "found '6.5 mn': unknown unit 'mn', did you mean 'mm'?, expected a length (m, mm, "
+              "um, cm or in)");
     EXPECT_EQ(message_of("5 rpn", Dimension::angular_velocity).find("did you mean 'rpm'") !=
                   std::string::npos,
               true);
@@ -72,9 +72,9 @@ TEST(Units, MessagesNameWhatWasFoundWhatWasMeantAndWhatIsKnown) {
         message_of("5 mpa", Dimension::pressure).find("did you mean 'MPa'") != std::string::npos,
         true);
     EXPECT_EQ(message_of("5 s", Dimension::length),
-              "'5 s': unit 's' is of a time, expected a length (m, mm, um, cm or in)");
+              "found '5 s': unit 's' is of a time, expected a length (m, mm, um, cm or in)");
     EXPECT_EQ(message_of("5 mm", Dimension::none),
-              "'5 mm': unit 'mm' is of a length, expected a plain number");
+              "found '5 mm': unit 'mm' is of a length, expected a plain number");
 }
 
 }  // namespace

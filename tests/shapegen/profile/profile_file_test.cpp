@@ -274,7 +274,7 @@ TEST(ProfileFileErrors, RefuseFilesThatAreNoProfiles) {
               std::string::npos);
     std::string many;
     for (std::size_t i = 0; i <= 1'000'000; ++i) many += "1 2\n";
-    expect_message(many, "x.profile: more than 100000 lines", "");
+    expect_message(many, "x.profile: found more than 100000 lines", "");
 }
 
 }  // namespace
