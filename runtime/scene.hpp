@@ -107,8 +107,8 @@ struct RunSettings {
     /// For tests: the threads of each step in turn, which share every loop however small. Empty: as
     /// many as make steps shortest (common/threads/step_team.hpp). Never changes a result.
     std::vector<int> forced_threads;
-    /// Contacts computed at a time (contact/lanes/lane_kernels.hpp); 0: as many as the processor does
-    /// best. Never changes a result.
+    /// Contacts computed at a time (contact/lanes/lane_kernels.hpp); 0: as many as the processor
+    /// does best. Never changes a result.
     int lanes = 0;
 };
 

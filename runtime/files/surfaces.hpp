@@ -45,7 +45,7 @@ class SurfaceWriter {
     std::vector<std::uint32_t> known_id_, known_shape_;
     std::uint64_t topologies_ = 0;
     std::uint64_t last_hash_ = 0;  ///< of the last topology
-    std::uint64_t vertices_ = 0;  ///< of the current topology
+    std::uint64_t vertices_ = 0;   ///< of the current topology
     XdmfTable triangles_, triangle_id_;
 };
 

@@ -38,7 +38,7 @@ inline double inverse_contact_mass(const PairState& pair, const Vec3& g, const V
 template <class Real>
 struct TangentialInertiaOf {
     Real inverse_reduced;  ///< 1/mu of the two masses [1/kg]
-    Real inverse;  ///< B: 1/mu and the mean squared surface distances over moments [1/kg]
+    Real inverse;          ///< B: 1/mu and the mean squared surface distances over moments [1/kg]
 };
 template <class Pair>
 TangentialInertiaOf<typename Pair::Real> tangential_inertia(const Pair& pair) {
@@ -83,8 +83,7 @@ template <class Pair>
 PointMotionOf<Pair> motion_at(const Pair& pair, const Vec3In<Pair>& lever,
                               const Vec3In<Pair>& normal, const typename Pair::Real& overlap) {
     const Vec3In<Pair> velocity = relative_velocity(pair, lever);
-    return {pair, lever, normal, overlap, velocity, -velocity.dot(normal),
-            typename Pair::Real{}};
+    return {pair, lever, normal, overlap, velocity, -velocity.dot(normal), typename Pair::Real{}};
 }
 
 }  // namespace dem::runtime

@@ -36,8 +36,8 @@ ContactCoefficientsOf<Real> linear_coefficients(const Law& law, const Real& inve
     c.gamma_n = select(inverse_mass > 0.0, law.damping * c.frequency / inverse_mass, Real{});
     const MaskOf<Real> resists = tangential.inverse > 0.0;
     c.k_t = select(
-        resists,
-        c.k_n * law.tangential_stiffness * tangential.inverse_reduced / tangential.inverse, Real{});
+        resists, c.k_n * law.tangential_stiffness * tangential.inverse_reduced / tangential.inverse,
+        Real{});
     c.gamma_t = select(
         resists,
         law.tangential_damping * root(c.k_n * tangential.inverse_reduced) / tangential.inverse,
@@ -83,8 +83,7 @@ Real dashpot_share(const Law& law, const ContactCoefficientsOf<Real>& c, const R
     const Real path = (push - pull) * dt;
     const Real until_parting =
         smaller<Real>(0.5 + overlap / path, 0.5 + 0.5 * (push - overlap / dt) / pull);
-    const Real parting =
-        select(both(overlap < path, pull > 0.0), until_parting, in_all<Real>(1.0));
+    const Real parting = select(both(overlap<path, pull> 0.0), until_parting, in_all<Real>(1.0));
     return select(approaches, since_touch, parting);
 }
 

@@ -38,19 +38,21 @@ PointForceOf<typename Pair::Real> point_force(const PointMotionOf<Pair>& point,
         normal_force(law, c, {point.overlap, point.overlap_rate}, dt);
     const Real normal_elastic = elastic_share(law) * normal.elastic_part * point.overlap;
     const Real load = friction_load(law, normal.elastic_part, normal.size);
-    PointForceOf<Real> f{
-        normal.size, Vec3Of<Real>::Zero(), Vec3Of<Real>::Zero(), {normal_elastic, normal.dissipated}};
+    PointForceOf<Real> f{normal.size,
+                         Vec3Of<Real>::Zero(),
+                         Vec3Of<Real>::Zero(),
+                         {normal_elastic, normal.dissipated}};
     if (all(law.friction > 0.0)) {
-        const SlidingOf<Real> sliding{
-            point.velocity, n, last_normal, spin_about(pair, n) * dt, is_new, dt};
+        const SlidingOf<Real> sliding{point.velocity,           n,      last_normal,
+                                      spin_about(pair, n) * dt, is_new, dt};
         f.tangential = friction_force({c.k_t, c.gamma_t, law.friction * load}, sliding, taken,
                                       history, f.energy);
     }
     const WholeContactOf<Pair> whole{pair,        dt,    is_new, n,    last_normal,
                                      point.lever, c.k_n, load,   taken};
-    f.moment = end_step(
-        law, whole, AgeingOf<Real>{local_radius, radius, c.frequency * dt, normal_elastic}, history,
-        f.energy);
+    f.moment =
+        end_step(law, whole, AgeingOf<Real>{local_radius, radius, c.frequency * dt, normal_elastic},
+                 history, f.energy);
     return f;
 }
 

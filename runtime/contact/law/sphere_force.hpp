@@ -21,8 +21,7 @@ struct SpherePointOf {
 /// torque, not even by rounding.
 template <Partner partner, class Pair, class Law, class History>
 typename Pair::Contact sphere_force(const SpherePointOf<typename Pair::Real>& point,
-                                    const Pair& pair, const Law& law, double dt,
-                                    History& history) {
+                                    const Pair& pair, const Law& law, double dt, History& history) {
     using Real = typename Pair::Real;
     PointMotionOf<Pair> motion = motion_at(pair, point.lever, point.normal, point.overlap);
     motion.inverse_mass = inverse_reduced_mass(pair);

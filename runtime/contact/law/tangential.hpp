@@ -34,8 +34,7 @@ Vec3Of<Real> friction_force(const SlippingSpringOf<Real>& s, const SlidingOf<Rea
         const Vec3Of<Real> last = history.spring;
         spring = select(by.is_new, none, carried(last, by.last_normal, n, by.turn));
     }
-    energy.dissipated +=
-        restiffen<Real>(history.stiffness, s.k, taken + energy.dissipated, spring);
+    energy.dissipated += restiffen<Real>(history.stiffness, s.k, taken + energy.dissipated, spring);
     const SpringForceOf<Real> f = slipping_force(s, u_t, by.dt, spring);
     history.spring = spring;
     history.stiffness = s.k;

@@ -21,6 +21,7 @@ SpherePointOf<Real> touching_spheres(const Real& radius_i, const Real& radius_j,
     return {n, overlap, r_i, radius_i * radius_j / reach};
 }
 
+/// Two spheres.
 inline PairContact collide(const Sphere& a, const Sphere& b, const SphereCall& call) {
     const Vec3& d = call.pair.displacement;
     const double distance2 = d.squaredNorm();

@@ -17,8 +17,8 @@ PairContact collide(const Sphere& a, const Wall& wall, const SphereCall& call) {
             return apart(call);
         const Vec3 normal = field.gradient(center, sample);
         const Vec3 r_i = -(a.radius - 0.5 * overlap) * normal;
-        return sphere_force<Partner::wall>(SpherePointOf<double>{normal, overlap, r_i, a.radius}, pair, call.law,
-                                           call.dt, call.memory.history);
+        return sphere_force<Partner::wall>(SpherePointOf<double>{normal, overlap, r_i, a.radius},
+                                           pair, call.law, call.dt, call.memory.history);
     });
 }
 

@@ -81,8 +81,8 @@ SupportSampleOf<Real> support_on(const SupportPieceOf<Real>& p, const AxialDirec
     const Real h = r * n.n_r + z * n.u;
     const Real inverse = 1.0 / n.n_r;
     const Real across = r * inverse;
-    SupportSampleOf<Real> s{h, inverse * n.to_axis, z * n.n_r - r * n.u, across, along - across,
-                            room};
+    SupportSampleOf<Real> s{h,      inverse * n.to_axis, z * n.n_r - r * n.u,
+                            across, along - across,      room};
     const MaskOf<Real> is_pole = n.n_r <= pole;
     if (any(is_pole)) {
         s.meridian = select(is_pole, Vec3Of<Real>(Vec3Of<Real>::Zero()), s.meridian);
