@@ -40,7 +40,8 @@ bool says_what_to_do(std::string_view message) {
 class Folder {
   public:
     Folder() {
-        std::string name = "/dev/shm/dem-fuzz-XXXXXX";
+        // mkdtemp() puts the name's last six letters.
+        std::string name = "/dev/shm/dem-fuzz-" + std::string(6, 'X');
         promise(mkdtemp(name.data()) != nullptr, "a folder in /dev/shm");
         path_ = name;
     }
