@@ -7,9 +7,16 @@ namespace dem::runtime {
 
 int widest_lanes() {
 #if defined(__x86_64__)
+    // What x86-64-v3 and x86-64-v4 stand for, in words that GCC 12 and Clang 14 both know.
     __builtin_cpu_init();
-    if (__builtin_cpu_supports("x86-64-v4") != 0) return 8;
-    if (__builtin_cpu_supports("x86-64-v3") != 0) return 4;
+    const bool has_v3 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
+                        __builtin_cpu_supports("bmi") != 0 && __builtin_cpu_supports("bmi2") != 0;
+    const bool has_v4 =
+        has_v3 && __builtin_cpu_supports("avx512f") != 0 &&
+        __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512cd") != 0 &&
+        __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0;
+    if (has_v4) return 8;
+    if (has_v3) return 4;
 #endif
     return 2;
 }
