@@ -41,6 +41,12 @@ void check_display_mesh(const DisplayMesh& mesh, double bounding_radius, const V
     }
 }
 
+void check_name(const std::string& name, const ValueCheck& check) {
+    check.require(std::none_of(name.begin(), name.end(),
+                               [](unsigned char c) { return std::iscntrl(c) != 0; }),
+                  "the name holds control characters");
+}
+
 void check_certificate(const Certificate& certificate, const ValueCheck& check) {
     std::vector<std::string_view> names;
     for (const auto& [name, value] : certificate) {
@@ -86,9 +92,7 @@ std::string shape_place(const std::string& where, std::size_t index, const std::
 
 void check_template(const ParticleTemplate& shape, const std::string& where) {
     const ValueCheck check{where};
-    check.require(std::none_of(shape.name.begin(), shape.name.end(),
-                               [](unsigned char c) { return std::iscntrl(c) != 0; }),
-                  "the name holds control characters");
+    check_name(shape.name, check);
     check.positive(shape.bounding_radius, "bounding radius");
     check.require(shape.bounding_radius <= largest_body, "the body is larger than 1e6 m");
     check_mass_properties(shape.mass_properties, check);
@@ -103,6 +107,14 @@ void check_template(const ParticleTemplate& shape, const std::string& where) {
     check_certificate(shape.certificate, check);
     check.positive(shape.input_unit, "unit of the input");
     std::visit(CheckKind{shape, check}, shape.shape);
+}
+
+void check_wall(const WallTemplate& wall, const std::string& where) {
+    const ValueCheck check{where};
+    check_name(wall.name, check);
+    check_certificate(wall.certificate, check);
+    check.positive(wall.input_unit, "unit of the input");
+    check_wall_mesh(wall.mesh, where);
 }
 
 }  // namespace dem

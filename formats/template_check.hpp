@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/shapes/particle_template.hpp"
+#include "common/shapes/wall_template.hpp"
 
 #include <string>
 
@@ -31,5 +31,13 @@ void check_convex_shape(const ConvexShape& shape, double bounding_radius, double
 /// The part of a clump.
 void check_clump(const Clump& clump, double bounding_radius, double volume,
                  const std::string& where);
+
+/// The part of a wall that says where it is: indices inside their arrays, rings that close around
+/// their edges, triangles with an area, boxes that hold them. What index_wall() fills is not looked
+/// at.
+void check_wall_mesh(const WallMesh& mesh, const std::string& where);
+
+/// A wall, all of it.
+void check_wall(const WallTemplate& wall, const std::string& where);
 
 }  // namespace dem

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/shapes/particle_template.hpp"
+#include "common/shapes/wall_mesh.hpp"
 
 #include <array>
 #include <cstddef>
@@ -41,5 +42,9 @@ static_assert(agree<schema::Ball, Clump::Ball> && offsetof(Clump::Ball, x) == 0 
 static_assert(agree<schema::ClumpSphere, ClumpSphere> && offsetof(ClumpSphere, x) == 0 &&
               offsetof(ClumpSphere, y) == 8 && offsetof(ClumpSphere, z) == 16 &&
               offsetof(ClumpSphere, radius) == 24 && offsetof(ClumpSphere, volume_share) == 32);
+static_assert(agree<schema::WallBox, WallMesh::Box> && offsetof(WallMesh::Box, lower) == 0 &&
+              offsetof(WallMesh::Box, upper) == 24 && offsetof(WallMesh::Box, first) == 48 &&
+              offsetof(WallMesh::Box, count) == 52 && offsetof(WallMesh::Box, next) == 56 &&
+              offsetof(WallMesh::Box, spare) == 60);
 
 }  // namespace dem::layout

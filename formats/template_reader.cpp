@@ -50,11 +50,34 @@ class Decoder {
             core.bounding_radius = result.bounding_radius;
             core.equivalent_diameter = equivalent_diameter(result.mass_properties.volume);
             result.shape = std::move(core);
+        } else if (shape.data_as_WallMesh() != nullptr) {
+            throw Error(where_,
+                        "is a wall made by shapegen --wall, expected a particle; walls go into "
+                        "[wall.NAME] with shape = mesh");
         } else {
             throw Error(where_,
                         "is of a kind that this program does not know, expected sphere, sr, clump "
                         "or convex; make the template again or update the program");
         }
+        return result;
+    }
+
+    WallTemplate decode_wall(const schema::Shape& shape) const {
+        const schema::WallMesh* mesh = shape.data_as_WallMesh();
+        if (mesh == nullptr) {
+            throw Error(where_, "is " + std::string(schema::EnumNameShapeData(shape.data_type())) +
+                                    ", a particle, expected a wall made by shapegen --wall");
+        }
+        WallTemplate result{shape.name()->str(), shape.input_unit(), certificate(shape), {}};
+        WallMesh& wall = result.mesh;
+        wall.vertices = array<Vec3>(mesh->vertices());
+        wall.triangles = array<WallMesh::Triangle>(mesh->triangles());
+        wall.twins = array<std::uint32_t>(mesh->twins());
+        wall.bends = array<double>(mesh->bends());
+        wall.patches = array<std::uint32_t>(mesh->patches());
+        wall.blends = array<double>(mesh->blends());
+        wall.boxes = array<WallMesh::Box>(mesh->boxes());
+        wall.crease_angle = mesh->crease_angle();
         return result;
     }
 
@@ -207,6 +230,20 @@ ParticleTemplate TemplateLibrary::shape(std::size_t index) const {
     const schema::Shape& shape = *root_->shapes()->Get(static_cast<flatbuffers::uoffset_t>(index));
     ParticleTemplate result = Decoder(owner_, place).decode(shape);
     check_template(result, place);
+    return result;
+}
+
+bool TemplateLibrary::is_wall(std::size_t index) const {
+    return root_->shapes()->Get(static_cast<flatbuffers::uoffset_t>(index))->data_type() ==
+           schema::ShapeData_WallMesh;
+}
+
+WallTemplate TemplateLibrary::wall(std::size_t index) const {
+    const std::string place = shape_place(where_, index, name(index));
+    const schema::Shape& shape = *root_->shapes()->Get(static_cast<flatbuffers::uoffset_t>(index));
+    WallTemplate result = Decoder(owner_, place).decode_wall(shape);
+    check_wall(result, place);
+    index_wall(result.mesh);
     return result;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/shapes/particle_template.hpp"
+#include "common/shapes/wall_template.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -36,7 +36,12 @@ class TemplateLibrary {
 
     /// A shape with its arrays in the map; nothing of it needs to be checked again. Throws Error
     /// naming file and shape: a value out of range.
+    /// Throws for a wall, too.
     ParticleTemplate shape(std::size_t index) const;
+
+    bool is_wall(std::size_t index) const;
+    /// The same of a wall. Throws Error for a particle.
+    WallTemplate wall(std::size_t index) const;
 
     /// Everything but the shapes.
     TemplateFile head() const;

@@ -108,27 +108,59 @@ struct EncodeKind {
     }
 };
 
-Offset<schema::Shape> encode(FlatBufferBuilder& fbb, const ParticleTemplate& shape) {
-    const MassProperties& m = shape.mass_properties;
-    const Quat& q = m.principal_axes;
-    const schema::MassProperties mass(m.volume, stored(m.center_of_mass),
-                                      {q.w(), q.x(), q.y(), q.z()},
-                                      stored(m.principal_moments_per_density));
+struct EncodedCertificate {
+    Offset<flatbuffers::Vector<Offset<flatbuffers::String>>> names;
+    Offset<flatbuffers::Vector<double>> values;
+};
+
+EncodedCertificate encode(FlatBufferBuilder& fbb, const Certificate& certificate) {
     std::vector<Offset<flatbuffers::String>> names;
     std::vector<double> values;
-    for (const auto& [name, value] : shape.certificate) {
+    for (const auto& [name, value] : certificate) {
         names.push_back(fbb.CreateSharedString(name));  // a library repeats them in every shape
         values.push_back(value);
     }
-    const auto certificate_names = fbb.CreateVector(names);
-    const auto certificate_values = fbb.CreateVector(values);
+    const auto stored_names = fbb.CreateVector(names);
+    return {stored_names, fbb.CreateVector(values)};
+}
+
+schema::MassProperties stored(const MassProperties& m) {
+    const Quat& q = m.principal_axes;
+    return {m.volume,
+            stored(m.center_of_mass),
+            {q.w(), q.x(), q.y(), q.z()},
+            stored(m.principal_moments_per_density)};
+}
+
+Offset<schema::Shape> encode(FlatBufferBuilder& fbb, const ParticleTemplate& shape) {
+    const schema::MassProperties mass = stored(shape.mass_properties);
+    const EncodedCertificate certificate = encode(fbb, shape.certificate);
     const auto name = fbb.CreateString(shape.name);
     const auto mesh = encode(fbb, shape.display_mesh);
     const EncodedKind kind = std::visit(EncodeKind{fbb}, shape.shape);
     return schema::CreateShape(fbb, name, &mass, shape.bounding_radius,
                                shape.mean_squared_surface_distance, shape.is_convex, mesh,
-                               certificate_names, certificate_values, kind.type, kind.data,
+                               certificate.names, certificate.values, kind.type, kind.data,
                                shape.input_unit);
+}
+
+Offset<schema::Shape> encode(FlatBufferBuilder& fbb, const WallTemplate& wall) {
+    const schema::MassProperties none = stored(MassProperties{});
+    const EncodedCertificate certificate = encode(fbb, wall.certificate);
+    const auto name = fbb.CreateString(wall.name);
+    const WallMesh& mesh = wall.mesh;
+    const auto vertices = structs<schema::Vec3>(fbb, mesh.vertices);
+    const auto triangles = structs<schema::Triangle>(fbb, mesh.triangles);
+    const auto twins = scalars(fbb, mesh.twins);
+    const auto bends = scalars(fbb, mesh.bends);
+    const auto patches = scalars(fbb, mesh.patches);
+    const auto blends = scalars(fbb, mesh.blends);
+    const auto boxes = structs<schema::WallBox>(fbb, mesh.boxes);
+    const auto data = schema::CreateWallMesh(fbb, vertices, triangles, twins, bends, patches,
+                                             blends, boxes, mesh.crease_angle);
+    return schema::CreateShape(fbb, name, &none, 0.0, 0.0, false, 0, certificate.names,
+                               certificate.values, schema::ShapeData_WallMesh, data.Union(),
+                               wall.input_unit);
 }
 
 template <class T>
@@ -157,6 +189,15 @@ std::uint64_t largest_size(const ParticleTemplate& shape) {
     return size;
 }
 
+std::uint64_t largest_size(const WallTemplate& wall) {
+    std::uint64_t size = 2048 + wall.name.size();
+    for (const auto& entry : wall.certificate) size += 64 + entry.first.size();
+    const WallMesh& mesh = wall.mesh;
+    return size + byte_size(mesh.vertices) + byte_size(mesh.triangles) + byte_size(mesh.twins) +
+           byte_size(mesh.bends) + byte_size(mesh.patches) + byte_size(mesh.blends) +
+           byte_size(mesh.boxes);
+}
+
 /// What the file's own tables add to the payload, at most [bytes].
 std::uint64_t frame_size(std::size_t shapes) {
     constexpr std::uint64_t texts = 1 << 16;  // command line and version
@@ -169,6 +210,17 @@ struct TemplateBuilder::Encoder {
     FlatBufferBuilder fbb{1 << 16};
     std::vector<Offset<schema::Shape>> shapes;
     std::size_t count = 0;
+
+    template <class Template>
+    void add(const Template& shape) {
+        // The builder itself only asserts that it stays within its limit.
+        if (fbb.GetSize() + largest_size(shape) + frame_size(count) > largest_template_payload) {
+            throw Error("shape " + std::to_string(shapes.size()) + " of " + std::to_string(count) +
+                        ": the template exceeds the 2 GB that one file can hold, split the library "
+                        "or lower the resolution");
+        }
+        shapes.push_back(encode(fbb, shape));
+    }
 };
 
 TemplateBuilder::TemplateBuilder(std::size_t count) : encoder_(std::make_unique<Encoder>()) {
@@ -183,14 +235,10 @@ std::uint64_t TemplateBuilder::byte_size() const {
 }
 
 void TemplateBuilder::add(const ParticleTemplate& shape) {
-    auto& [fbb, shapes, count] = *encoder_;
-    // The builder itself only asserts that it stays within its limit.
-    if (fbb.GetSize() + largest_size(shape) + frame_size(count) > largest_template_payload) {
-        throw Error("shape " + std::to_string(shapes.size()) + " of " + std::to_string(count) +
-                    ": the template exceeds the 2 GB that one file can hold, split the library "
-                    "or lower the resolution");
-    }
-    shapes.push_back(encode(fbb, shape));
+    encoder_->add(shape);
+}
+void TemplateBuilder::add(const WallTemplate& wall) {
+    encoder_->add(wall);
 }
 
 flatbuffers::DetachedBuffer TemplateBuilder::finish(const TemplateFile& content) {
@@ -225,6 +273,14 @@ void write_template(const std::filesystem::path& path, const TemplateFile& conte
     TemplateBuilder builder(content.shapes.size());
     for (const ParticleTemplate& shape : content.shapes) builder.add(shape);
     builder.write(path, content);
+}
+
+void write_template(const std::filesystem::path& path, const TemplateFile& head,
+                    const WallTemplate& wall) {
+    check_wall(wall, shape_place(path.string(), 0, wall.name));
+    TemplateBuilder builder(1);
+    builder.add(wall);
+    builder.write(path, head);
 }
 
 }  // namespace dem

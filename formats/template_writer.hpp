@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/shapes/particle_template.hpp"
+#include "common/shapes/wall_template.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -18,6 +18,10 @@ namespace dem {
 /// FlatBuffers can address, the disk.
 void write_template(const std::filesystem::path& path, const TemplateFile& content);
 
+/// The same with one wall in the place of shapes; of `head` all but the shapes.
+void write_template(const std::filesystem::path& path, const TemplateFile& head,
+                    const WallTemplate& wall);
+
 /// Writes a `.tpl` file shape by shape, for libraries too large to hold in two forms at once.
 class TemplateBuilder {
   public:
@@ -29,6 +33,7 @@ class TemplateBuilder {
 
     /// Checks nothing but the size: check_template() first. Throws Error beyond 2 GB.
     void add(const ParticleTemplate& shape);
+    void add(const WallTemplate& wall);
 
     std::uint64_t byte_size() const;  ///< of the payload so far
 

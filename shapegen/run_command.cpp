@@ -76,18 +76,18 @@ StageProgress part(LateProgress& progress, double begin, double end) {
     };
 }
 
-/// A template of one shape; `lines` are for the user.
+/// A template of one shape or a wall; `lines` are for the user.
 struct Cooked {
-    ParticleTemplate shape;
+    std::variant<ParticleTemplate, WallTemplate> shape;
     std::uint64_t input_hash = 0;
     std::vector<std::string> lines;
 };
 
 Cooked cook_as(const CookOptions& options, const CookCommand& command) {
     const ProfileFile file = read_profile(command.input.string(), command.mesh.scale);
-    Cooked cooked{cook(file.profile, file.name, options), file.hash, {}};
-    cooked.shape.input_unit = file.unit;
-    return cooked;
+    ParticleTemplate shape = cook(file.profile, file.name, options);
+    shape.input_unit = file.unit;
+    return {std::move(shape), file.hash, {}};
 }
 
 void write_convergence(const std::filesystem::path& path, const std::string& name,
@@ -118,6 +118,11 @@ Cooked cook_as(const ConvexRequest& request, const CookCommand& command) {
     return {std::move(cooked.shape), cooked.hash, std::move(cooked.lines)};
 }
 
+Cooked cook_as(const WallRequest& request, const CookCommand& command) {
+    CookedWall cooked = cook_wall(command.input, request, command.mesh);
+    return {std::move(cooked.wall), cooked.hash, std::move(cooked.lines)};
+}
+
 /// What is wrong with the input is said at its place, also by those who do not know its name.
 Cooked cook_input(const CookCommand& command) {
     try {
@@ -138,6 +143,17 @@ Cooked cook_input(const CookCommand& command) {
     }
 }
 
+/// Writes what was cooked, and returns what there is to say about it.
+std::string write_cooked(const std::filesystem::path& path, TemplateFile& file, Cooked& cooked) {
+    if (const auto* wall = std::get_if<WallTemplate>(&cooked.shape)) {
+        write_template(path, file, *wall);
+        return template_text(file, *wall);
+    }
+    file.shapes.push_back(std::move(std::get<ParticleTemplate>(cooked.shape)));
+    write_template(path, file);
+    return template_text(file);
+}
+
 void run(const CookCommand& command, std::ostream& out) {
     ThreadTeam team(command.threads);
     const ThreadTeam::InForce together(&team);
@@ -154,8 +170,7 @@ void run(const CookCommand& command, std::ostream& out) {
     result.command = command.text;
     result.input_hash = cooked.input_hash;
     result.shapegen_version = DEM_VERSION;
-    result.shapes.push_back(std::move(cooked.shape));
-    write_template(command.output, result);
+    const std::string about = write_cooked(command.output, result, cooked);
     if (command.is_quiet) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     std::array<char, 80> words{};
@@ -164,7 +179,7 @@ void run(const CookCommand& command, std::ostream& out) {
                   seconds.count());
     for (const std::string& line : cooked.lines)
         out << command.input.filename().string() << ": " << line << '\n';
-    out << template_text(result) << command.output.string() << words.data();
+    out << about << command.output.string() << words.data();
 }
 
 void run(const GenerateCommand& command, std::ostream& out) {
@@ -191,6 +206,13 @@ void run(const GenerateCommand& command, std::ostream& out) {
 }
 
 void run(const InspectCommand& command, std::ostream& out) {
+    const TemplateLibrary library(command.input);
+    if (library.is_wall(0)) {
+        const WallTemplate wall = library.wall(0);
+        const TemplateFile head = library.head();
+        out << (command.as_json ? template_json(head, wall) : template_text(head, wall));
+        return;
+    }
     const TemplateFile file = read_template(command.input);
     out << (command.as_json ? template_json(file) : template_text(file));
 }

@@ -9,6 +9,7 @@
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 #include <nlohmann/json.hpp>
 
@@ -164,6 +165,24 @@ std::string text_of(const ParticleTemplate& shape) {
     return text;
 }
 
+Json json_of(const TemplateFile& file, const Json& shapes) {
+    return {{"schema", json_schema},
+            {"command", file.command},
+            {"shapegen_version", file.shapegen_version},
+            {"input_hash", hash_text(file.input_hash)},
+            {"shapes", shapes}};
+}
+
+/// Names come from file names, which need not be UTF-8; JSON must be.
+std::string text_of(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string made_by(const TemplateFile& file) {
+    return "made by           " + file.command + " (shapegen " + file.shapegen_version +
+           ", input " + hash_text(file.input_hash) + ")\n";
+}
+
 std::string range_text(const TemplateFile& file) {
     const auto [smallest, largest] = std::minmax_element(
         file.shapes.begin(), file.shapes.end(), [](const auto& a, const auto& b) {
@@ -183,8 +202,7 @@ std::string range_text(const TemplateFile& file) {
 std::string template_text(const TemplateFile& file) {
     constexpr std::size_t shown_at_most = 10;
     const std::size_t count = file.shapes.size();
-    std::string text = "made by           " + file.command + " (shapegen " + file.shapegen_version +
-                       ", input " + hash_text(file.input_hash) + ")\n";
+    std::string text = made_by(file);
     if (count > shown_at_most) {
         text += std::to_string(count) + " shapes, the first three shown (--json shows all); " +
                 range_text(file);
@@ -197,13 +215,46 @@ std::string template_text(const TemplateFile& file) {
 std::string template_json(const TemplateFile& file) {
     Json shapes = Json::array();
     for (const ParticleTemplate& shape : file.shapes) shapes.push_back(json_of(shape));
-    const Json json = {{"schema", json_schema},
-                       {"command", file.command},
-                       {"shapegen_version", file.shapegen_version},
-                       {"input_hash", hash_text(file.input_hash)},
-                       {"shapes", shapes}};
-    // Names come from file names, which need not be UTF-8; JSON must be.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return text_of(json_of(file, shapes));
+}
+
+std::string template_text(const TemplateFile& file, const WallTemplate& wall) {
+    const WallMesh& mesh = wall.mesh;
+    const Vec3 size = mesh.bounds.upper - mesh.bounds.lower;
+    const LengthUnit unit = length_unit(size.norm());
+    std::map<std::string, double> values(wall.certificate.begin(), wall.certificate.end());
+    const auto count = [&](const char* name) { return values[name]; };
+    return made_by(file) +
+           format(
+               "%s: wall\n"
+               "  triangles         %zu, corners: %zu, area: %.6g %s^2\n"
+               "  size              %.6g x %.6g x %.6g %s\n"
+               "  pieces            %.0f, %s\n"
+               "  patches           %.0f, between edges that bend by more than %.4g deg: %.0f\n"
+               "  bending edges     %.0f convex and %.0f concave, seen from the front\n",
+               wall.name.c_str(), mesh.triangles.size(), mesh.vertices.size(),
+               count("area") / square(unit.meters), unit.name.c_str(), size.x() / unit.meters,
+               size.y() / unit.meters, size.z() / unit.meters, unit.name.c_str(), count("pieces"),
+               count("rim_edges") == 0.0
+                   ? "closed"
+                   : format("open, with %.0f edges at rims", count("rim_edges")).c_str(),
+               count("patches"), mesh.crease_angle * 180.0 / pi, count("crease_edges"),
+               count("convex_edges"), count("concave_edges"));
+}
+
+std::string template_json(const TemplateFile& file, const WallTemplate& wall) {
+    const Aabb& box = wall.mesh.bounds;
+    const Json shape = {
+        {"name", wall.name},
+        {"kind", "wall"},
+        {"input_unit", wall.input_unit},
+        {"lower", {box.lower.x(), box.lower.y(), box.lower.z()}},
+        {"upper", {box.upper.x(), box.upper.y(), box.upper.z()}},
+        {"crease_angle", wall.mesh.crease_angle},
+        {"counts",
+         {{"vertices", wall.mesh.vertices.size()}, {"triangles", wall.mesh.triangles.size()}}},
+        {"certificate", certificate_json(wall.certificate)}};
+    return text_of(json_of(file, Json::array({shape})));
 }
 
 }  // namespace dem::shapegen

@@ -56,15 +56,19 @@ std::optional<PrintCommand> wanted_words(const OptionValues& values) {
 /// The way to make a shape fits what the input is.
 void check_mode(const OptionValues& values, const std::filesystem::path& input) {
     Words found;
-    for (const char* mode : {"sr", "sphere", "clump", "clump-spheres", "clump-error", "convex"})
+    for (const char* mode :
+         {"sr", "sphere", "clump", "clump-spheres", "clump-error", "convex", "wall"})
         if (values.given(mode)) found.emplace_back(mode);
     if (is_convex_file(input) && !found.empty() && found[0] != "convex")
         throw UsageError("--" + found[0], "found it with " + input.string() +
                                               ", expected it with a mesh or a profile");
+    if (!is_mesh_file(input) && values.given("wall"))
+        throw UsageError("--wall", "found it with " + input.string() +
+                                       ", expected it with a mesh (" + mesh_extensions() + ")");
     if (is_mesh_file(input) && (found.empty() || found[0] == "sr" || found[0] == "sphere"))
         throw UsageError(input.string(),
                          "found a mesh without a mode, expected --clump C, --clump-spheres N, "
-                         "--clump-error E% or --convex");
+                         "--clump-error E%, --convex or --wall");
 }
 
 /// What a file holds is known by its extension alone.
@@ -93,6 +97,8 @@ Command parse_cook(const Words& words) {
         command.recipe = *clump;
     else if (const auto convex = read_convex_options(values, command.input))
         command.recipe = *convex;
+    else if (values.given("wall"))
+        command.recipe = WallRequest{values.quantity("crease")};
     else
         command.recipe = read_options(values);
     command.mesh = read_mesh_options(values);

@@ -4,6 +4,7 @@
 #include "shapegen/command_line/clump_options.hpp"
 #include "shapegen/command_line/convex_options.hpp"
 #include "shapegen/pipeline/cook.hpp"
+#include "shapegen/pipeline/cook_wall.hpp"
 
 #include <filesystem>
 #include <span>
@@ -15,8 +16,9 @@ namespace dem::shapegen {
 /// `shapegen INPUT ...`
 struct CookCommand {
     std::filesystem::path input, output;
-    /// What is made of the input: a surface of revolution or a sphere, a clump, a convex shape.
-    std::variant<CookOptions, ClumpCommand, ConvexRequest> recipe;
+    /// What is made of the input: a surface of revolution or a sphere, a clump, a convex shape, a
+    /// wall.
+    std::variant<CookOptions, ClumpCommand, ConvexRequest, WallRequest> recipe;
     MeshLoadOptions mesh;
     bool is_quiet = false;
     int threads = 0;   ///< at most; 0: one per core

@@ -11,13 +11,14 @@ namespace {
 using enum OptionType;
 
 // Ways to make a shape, of which a command line takes one.
-constexpr OtherOptions other_modes{"sr|sphere|clump|clump-spheres|clump-error|convex"};
+constexpr OtherOptions other_modes{"sr|sphere|clump|clump-spheres|clump-error|convex|wall"};
 
 constexpr OtherOptions a_revolution{"sr",
                                     "with a shape of another kind, expected it with --sr only"};
 constexpr OtherOptions a_clump{
     "clump|clump-spheres|clump-error",
     "without --clump, --clump-spheres or --clump-error, expected one of them"};
+constexpr OtherOptions a_wall{"wall", "without --wall, expected both"};
 constexpr OtherOptions a_convex_shape{"convex", "without --convex, expected both"};
 
 constexpr OptionRange cells{fewest_base_cells, most_cells};
@@ -176,6 +177,22 @@ constexpr Option convex_options[] = {
      .help = "radius of edges and corners; default: 1%, less for thin bodies"},
 };
 
+constexpr Option wall_options[] = {
+    {.name = "wall",
+     .excludes = other_modes,
+     .help = "the triangles of a mesh as a wall for [wall.NAME] with shape = mesh: open or closed, "
+             "touched from both sides; nothing is repaired"},
+    {.name = "crease",
+     .value = "ANGLE",
+     .type = quantity,
+     .range = {0.0, 2.0, true, true},
+     .dimension = Dimension::angle,
+     .standard = "25 deg",
+     .expected = "an angle from 0 to 114 degrees (25 deg)",
+     .needs = a_wall,
+     .help = "faces that bend by no more are parts of one curved wall, others two walls that meet"},
+};
+
 constexpr Option mesh_options[] = {
     {.name = "unit",
      .value = "UNIT",
@@ -189,10 +206,15 @@ constexpr Option mesh_options[] = {
      .range = {.high = 1.0, .high_allowed = false},
      .standard = "1%",
      .expected = "0 or more and below 1 (0.01 or 1%)",
+     .excludes = {"wall"},
      .for_meshes = true,
      .help = "largest part of the volume that repairs may put at stake"},
-    {.name = "largest", .for_meshes = true, .help = "of several bodies in a file keep the largest"},
+    {.name = "largest",
+     .excludes = {"wall"},
+     .for_meshes = true,
+     .help = "of several bodies in a file keep the largest"},
     {.name = "union",
+     .excludes = {"wall"},
      .for_meshes = true,
      .help = "make one body of parts that cross, touch or hold each other"},
 };
@@ -282,6 +304,7 @@ constexpr OptionGroup cook_groups[] = {
     {"Surfaces of revolution (docs/profile-file.md)", revolution_options},
     {"Clumps of spheres (docs/clumps.md)", clump_options},
     {"Convex shapes (docs/convex-file.md)", convex_options},
+    {"Walls (docs/mesh-walls.md)", wall_options},
     {"Meshes (docs/mesh-import.md)", mesh_options},
     common_group};
 constexpr OptionGroup generate_groups[] = {{"Generating", generate_options}, common_group};

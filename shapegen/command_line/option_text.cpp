@@ -15,11 +15,12 @@ constexpr std::string_view purpose =
     "shapegen cooks a particle shape: it computes once what a run needs and writes it, with the "
     "error it makes, into a template for demrun.";
 
-constexpr std::array<std::string_view, 8> synopsis{
+constexpr std::array<std::string_view, 9> synopsis{
     "PROFILE [-o OUT.tpl] [options]",
     "MESH|PROFILE --clump 0.95 [-o OUT.tpl] [options]",
     "SHAPE.convex [-o OUT.tpl] [--rounding R]",
     "MESH --convex [--vertices N] [--keep-volume] [--rounding R] [-o OUT.tpl]",
+    "MESH --wall [--crease ANGLE] [-o OUT.tpl]",
     "generate sand|woodchips --count N -o OUT.tpl [options]",
     "inspect FILE.tpl [--json]",
     "export FILE.tpl -o FILE.{svg,stl,obj,vtu,csv} [--shape NAME|INDEX]",
