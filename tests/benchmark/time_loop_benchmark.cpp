@@ -19,7 +19,7 @@
 
 // Cost of the time loop on settled beds with fixed counts:
 //
-//     time_loop_benchmark spheres|candies|candies_nodes|clumps|sand|cylinders
+//     time_loop_benchmark spheres|candies|candies_nodes|tablets|clumps|sand|cylinders
 //                         [count [threads[,threads...] [steps [skin in mm]]]]
 //
 // A bed first settles with a large time step, then the loop is timed with the one of the scene,
@@ -36,7 +36,8 @@ using namespace shapegen;
 
 namespace {
 
-constexpr const char* scene_names = "spheres, candies, candies_nodes, clumps, sand, cylinders";
+constexpr const char* scene_names =
+    "spheres, candies, candies_nodes, tablets, clumps, sand, cylinders";
 
 struct Settings {
     std::string scene;
@@ -75,23 +76,24 @@ Bed sphere_bed(const Settings& s) {
     return {std::move(scene), 1e-5, 6000, 1e-5};
 }
 
-// 250 candies as in the packing of [SR] Sec. 3.3, or any number in a vessel as deep.
-Bed candy_bed(const Settings& s, ContactLaw::Method method) {
+// 250 bodies as in the packing of candies of [SR] Sec. 3.3, or any number in a vessel as deep.
+Bed vessel_bed(const Settings& s, const ParticleTemplate& shape, ContactLaw::Method method) {
     ContactLaw options;
     options.geometry.method = method;
     Scene scene = scenes::one_material({5e7, 1377.0, 0.5, 0.3, options});
-    scenes::add_kind(scene, scenes::candy());
+    scenes::add_kind(scene, shape);
     const double radius = 25.4e-3 * std::sqrt(s.count / 250.0);
     std::vector<BodyPlacement> bodies = scenes::column(s.count, 1, radius, 13.3e-3);
     for (BodyPlacement& body : bodies) body.velocity.z() = -1.0;
     scene.insertions.push_back(scenes::placed(bodies));
     scenes::add_vessel(scene, radius);
+    scene.run.overlap_limit = 0.2;  // while they fall
     return {std::move(scene), 5e-6, 100000, 5e-7};
 }
 
 // The same packing of clumps of 60 spheres.
 Bed clump_bed(const Settings& s) {
-    Bed bed = candy_bed(s, ContactLaw::Method::automatic);
+    Bed bed = vessel_bed(s, scenes::candy(), ContactLaw::Method::automatic);
     bed.scene.shapes[0] = scenes::candy_clump(60);
     return bed;
 }
@@ -123,8 +125,11 @@ Bed cylinder_bed(const Settings& s) {
 
 Bed make_bed(const Settings& s) {
     if (s.scene == "spheres") return sphere_bed(s);
-    if (s.scene == "candies") return candy_bed(s, ContactLaw::Method::continuous);
-    if (s.scene == "candies_nodes") return candy_bed(s, ContactLaw::Method::nodes);
+    if (s.scene == "candies") return vessel_bed(s, scenes::candy(), ContactLaw::Method::continuous);
+    if (s.scene == "candies_nodes")
+        return vessel_bed(s, scenes::candy(), ContactLaw::Method::nodes);
+    if (s.scene == "tablets")
+        return vessel_bed(s, scenes::tablet(), ContactLaw::Method::continuous);
     if (s.scene == "clumps") return clump_bed(s);
     if (s.scene == "sand") return sand_bed(s);
     if (s.scene == "cylinders") return cylinder_bed(s);

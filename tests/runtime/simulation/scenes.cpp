@@ -72,6 +72,18 @@ ParticleTemplate peanut(std::uint32_t nodes) {
     return sr_template("peanut", test::peanut(nodes));
 }
 
+ParticleTemplate tablet() {
+    const test::SolidBody solid = test::tablet();
+    ParticleTemplate result;
+    result.name = "tablet";
+    result.mass_properties.volume = solid.volume;
+    result.mass_properties.principal_moments_per_density = solid.moments_per_density;
+    result.bounding_radius = solid.shape.bounding_radius;
+    result.is_convex = true;
+    result.shape = solid.shape;
+    return result;
+}
+
 ParticleTemplate candy_clump(std::uint32_t spheres) {
     const double a = 6.585e-3;
     const double c = 3.395e-3;

@@ -18,6 +18,9 @@ ParticleTemplate sphere(double radius);
 ParticleTemplate candy(std::uint32_t nodes = 2000);
 ParticleTemplate peanut(std::uint32_t nodes = 2000);
 
+/// The tablet of [SR] Table 1, with sharp edges: a support map, no nodes.
+ParticleTemplate tablet();
+
 /// The candy as a clump of balls that touch it from inside, and two balls with a third between.
 ParticleTemplate candy_clump(std::uint32_t spheres = 60);
 ParticleTemplate dumbbell_clump();
