@@ -229,10 +229,10 @@ void smooth(std::span<const LaneContact> contacts, double dt, LaneOutcome& outco
         const Real distance = d.norm();
         const auto bounding = sizes(&LaneKind::bounding_radius);
 
-        const NormalProbeOf<Real> p = probe<Real>(i, j, d, unit_again<Real>(-now.normal));
-        const NewtonStepOf<Real> step = newton_step(p, Real(NormalSearch::floor * distance));
-        const CommonNormalOf<Real> at = extrapolated(p, step.turn, d);
-        Mask is_done = both(no(distance > bounding[0] + bounding[1]), is_close(p, step, distance));
+        const NormalStepOf<Real> step = followed_step<Real>(i, j, d, distance, -now.normal);
+        const NormalProbeOf<Real>& p = step.from;
+        const CommonNormalOf<Real> at = extrapolated(p, step.step.turn, d);
+        Mask is_done = both(no(distance > bounding[0] + bounding[1]), step.is_close);
         is_done = both(both(is_done, at.f > 0.0), is_least(p, i, j, d));
         if (!any(is_done)) return {is_done, LanePairContact<Real>{}};
 

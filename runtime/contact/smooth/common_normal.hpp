@@ -230,15 +230,64 @@ struct FollowedNormal {
     NormalProbe probe;
 };
 
+/// Newton's step from a direction.
+template <class Real>
+struct NormalStepOf {
+    NormalProbeOf<Real> from;
+    NewtonStepOf<Real> step;
+    MaskOf<Real> is_close;  ///< is_close()
+};
+
+template <class Real = double, class SupportI, class SupportJ>
+NormalStepOf<Real> normal_step(const SupportI& support_i, const SupportJ& support_j,
+                               const Vec3Of<Real>& d, const Real& size, const Vec3Of<Real>& n) {
+    const NormalProbeOf<Real> p = probe<Real>(support_i, support_j, d, n);
+    const NewtonStepOf<Real> step = newton_step(p, Real(NormalSearch::floor * size));
+    return {p, step, is_close(p, step, size)};
+}
+
+/// select() of each member.
+template <class Mask, class Real>
+NormalStepOf<Real> chosen(const Mask& m, const NormalStepOf<Real>& yes,
+                          const NormalStepOf<Real>& otherwise) {
+    const NormalProbeOf<Real>& a = yes.from;
+    const NormalProbeOf<Real>& b = otherwise.from;
+    return {{select(m, a.n, b.n), select(m, a.f, b.f), select(m, a.gradient, b.gradient),
+             chosen(m, a.i, b.i), chosen(m, a.j, b.j)},
+            {select(m, yes.step.turn, otherwise.step.turn),
+             either(both(m, yes.step.lifted), both(no(m), otherwise.step.lifted))},
+            either(both(m, yes.is_close), both(no(m), otherwise.is_close))};
+}
+
+/// From a direction that was the minimum a moment ago: Newton's step from there, or, where that is
+/// too long to be taken without another look, from where it leads. Where it is close then
+/// extrapolated() gives the minimum; where not it has to be searched for.
+template <class Real = double, class SupportI, class SupportJ>
+NormalStepOf<Real> followed_step(const SupportI& support_i, const SupportJ& support_j,
+                                 const Vec3Of<Real>& d, const Real& size,
+                                 const Vec3Of<Real>& start) {
+    // After a longer one the next is not close either [rad].
+    constexpr double longest = 4e-3;
+    const NormalStepOf<Real> first =
+        normal_step<Real>(support_i, support_j, d, size, unit_again<Real>(start));
+    const Vec3Of<Real>& turn = first.step.turn;
+    const Real turn2 = turn.squaredNorm();
+    const MaskOf<Real> is_near = both(no(first.step.lifted), turn2 < longest * longest);
+    if (!any(both(no(first.is_close), is_near))) return first;
+    const Vec3Of<Real> ahead = select(
+        is_near, Vec3Of<Real>((first.from.n + turn) / root(Real(1.0 + turn2))), first.from.n);
+    const NormalStepOf<Real> second = normal_step<Real>(support_i, support_j, d, size, ahead);
+    if constexpr (OneLane<Real>) return second;
+    return chosen(first.is_close, first, second);
+}
+
 /// What common_normal() finds from a direction that was the minimum a moment ago.
 template <class SupportI, class SupportJ>
 FollowedNormal followed_normal(const SupportI& support_i, const SupportJ& support_j, const Vec3& d,
                                const Vec3& start) {
-    const double size = d.norm();
-    NormalProbe p = probe(support_i, support_j, d, unit_again(start));
-    const NewtonStep step = newton_step(p, NormalSearch::floor * size);
-    if (is_close(p, step, size)) return {extrapolated(p, step.turn, d), p};
-    p = descend(support_i, support_j, d, p);
+    const NormalStepOf<double> s = followed_step(support_i, support_j, d, d.norm(), start);
+    if (s.is_close) return {extrapolated(s.from, s.step.turn, d), s.from};
+    const NormalProbe p = descend(support_i, support_j, d, s.from);
     return {result_of(p, d), p};
 }
 

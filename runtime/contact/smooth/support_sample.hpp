@@ -35,6 +35,18 @@ struct SupportSampleOf {
 };
 using SupportSample = SupportSampleOf<double>;
 
+/// select() of each member.
+template <class Mask, class Real>
+SupportSampleOf<Real> chosen(const Mask& m, const SupportSampleOf<Real>& yes,
+                             const SupportSampleOf<Real>& otherwise) {
+    return {select(m, yes.h, otherwise.h),
+            select(m, yes.meridian, otherwise.meridian),
+            select(m, yes.tangential, otherwise.tangential),
+            select(m, yes.across, otherwise.across),
+            select(m, yes.excess, otherwise.excess),
+            select(m, yes.room, otherwise.room)};
+}
+
 inline constexpr double no_jump = std::numeric_limits<double>::infinity();
 
 /// A direction as seen from a body of revolution.

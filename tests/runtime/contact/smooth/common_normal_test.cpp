@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/smooth/common_normal.hpp"
 
+#include "common/math/elementary.hpp"
 #include "common/random.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -116,6 +118,36 @@ TEST(CommonNormal, AWarmStartNeedsTwoEvaluationsOnSmoothBodies) {
         const Vec3 moved = d + 1e-7 * random.direction();
         common_normal(Counted{i, &count}, Counted{j, &count}, moved, n);
         EXPECT_LE(count / 2, 2);
+    }
+}
+
+TEST(CommonNormal, AMinimumThatIsFollowedIsWhereASearchFindsIt) {
+    Random random(45, 1);
+    const std::vector<SolidBody> all = bodies();
+    for (const SolidBody& a : all) {
+        int close = 0;
+        int smooth = 0;
+        for (int k = 0; k < 400; ++k) {
+            const Pose at = pose(random, k);
+            const SrSupport i{a.shape.support, at.axis_i};
+            const SrSupport j{all[random.next() % all.size()].shape.support, at.axis_j};
+            const Vec3 d = distance_for(i, j, at.direction, 2e-5) * at.direction;
+            NormalProbe found = common_normal(i, j, d, at.direction);
+            found = descend(i, j, d, found);
+            const double turn = math::exp(random.uniform(-16.0, -5.6));  // to 3.7e-3
+            const Vec3 away = found.n.cross(random.direction()).normalized();
+            const double size = d.norm();
+            const auto step =
+                followed_step(i, j, d, size, Vec3(found.n + turn * away).normalized());
+            smooth += 4.0 * square(turn) < square(std::min(found.i.room, found.j.room)) ? 1 : 0;
+            if (!step.is_close || found.gradient.norm() > 1e-11 * size) continue;
+            ++close;
+            const CommonNormal expected = result_of(found, d);
+            const CommonNormal followed = extrapolated(step.from, step.step.turn, d);
+            EXPECT_NEAR(followed.f, expected.f, 1e-11 * size);
+            EXPECT_LE((followed.middle - expected.middle).norm(), 2e-9 * size);
+        }
+        EXPECT_GT(close, smooth / 2) << "of " << smooth;
     }
 }
 
