@@ -274,19 +274,9 @@ bool is_single(std::span<const ContactPoint> points, const PatchHistory& history
 }
 PairContact single_force(const ContactPoint& point, double local_radius, const PairState& pair,
                          const ContactLaw& law, double dt, PatchHistory& history) {
-    PatchHistory::Slot& slot = history.slots[0];
-    PointHistory single;
-    static_cast<ContactHistory&>(single) = history;
-    static_cast<SpringHistory&>(single) = slot;
-    // Friction's spring lies across the normal of its slot, which frictionless contacts leave
-    // alone.
-    if (law.friction > 0.0) single.normal = slot.normal;
-    PairContact contact = contact_force(point, local_radius, pair, law, dt, single);
-    static_cast<ContactHistory&>(history) = single;
-    static_cast<SpringHistory&>(slot) = single;
-    slot.feature = point.feature;
-    slot.normal = single.normal;
-    history.used = 1;
+    PointHistory single = as_point(history, law);
+    const PairContact contact = contact_force(point, local_radius, pair, law, dt, single);
+    keep_point(single, point.feature, history);
     return contact;
 }
 

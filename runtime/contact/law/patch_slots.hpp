@@ -21,4 +21,24 @@ struct PatchSlots {
 /// feature once.
 PatchSlots choose_slots(std::span<const ContactPoint> points, PatchHistory& history);
 
+/// What the contact remembers as one of a single point, whose slot is the first.
+inline PointHistory as_point(const PatchHistory& history, const ContactLaw& law) {
+    PointHistory point;
+    static_cast<ContactHistory&>(point) = history;
+    static_cast<SpringHistory&>(point) = history.slots[0];
+    // Friction's spring lies across the normal of its slot, which frictionless contacts leave
+    // alone.
+    if (law.friction > 0.0) point.normal = history.slots[0].normal;
+    return point;
+}
+/// Keeps what the contact remembers now, the place of this feature being all of it.
+inline void keep_point(const PointHistory& point, std::uint64_t feature, PatchHistory& history) {
+    PatchHistory::Slot& slot = history.slots[0];
+    static_cast<ContactHistory&>(history) = point;
+    static_cast<SpringHistory&>(slot) = point;
+    slot.feature = feature;
+    slot.normal = point.normal;
+    history.used = 1;
+}
+
 }  // namespace dem::runtime

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/pairs/sr_wall.hpp"
 
+#include "runtime/contact/law/patch_slots.hpp"
+#include "runtime/contact/smooth/plane_place.hpp"
 #include "runtime/contact/smooth/smooth_contact.hpp"
 #include "runtime/contact/smooth/sr_rod.hpp"
 #include "runtime/contact/smooth/sr_tube.hpp"
+#include "runtime/contact/smooth/tube_place.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace dem::runtime {
 
@@ -33,52 +37,70 @@ class WallPatch {
     std::size_t count_ = 0;
 };
 
-/// Where a body at a plane that it touches at x takes the force: at x, or where the place that
-/// touches runs along a nearly straight side or over a tip in this step, at the mean of the places
-/// half a step before and after, with the parts that make the work of the force what the overlap
-/// changes by (crease.hpp). `n`: out of the plane; `spin`: of the body in a step [rad].
-Vec3 mean_place(const SrSupport& support, const SupportSample& now, const Vec3& n, const Vec3& spin,
-                double size) {
-    // Turned about its axis it stays what it is.
-    const Vec3 turn = spin - spin.dot(support.axis) * support.axis;
-    // Farther than this in a step it runs [m].
-    const double far = 0.05 * size;
-    const Vec3 x = now.point(-n);
-    const Vec3 swing = 0.5 * turn.cross(n);
-    const double angle = 2.0 * swing.norm();
-    if (now.room > angle && now.along() * angle < far) return x;
+/// R* where the body was last looked at [m], or none where the frozen one serves.
+double radius_at(const SupportSample& s, const SrShape& a, const ContactLaw& law,
+                 const ContactHistory& history) {
+    return needs_local_radius(law, history) ? contact_radius(law, s, a.equivalent_diameter) : 0.0;
+}
+
+/// Where a body takes the force of a plane whose place runs along a nearly straight side or over a
+/// tip in this step: at the mean of the places half a step before and after, with the parts that
+/// make the work of the force what the overlap changes by (crease.hpp). None: where it touches.
+std::optional<Vec3> mean_place(const SrSupport& support, const SupportSample& now, const Vec3& n,
+                               const PlaneSwing<double>& swing, double size) {
+    if (stays_near(now, swing, size)) return {};
     // Seen from the body the plane turns the other way.
-    const Vec3 before = (-n - swing).normalized();
-    const Vec3 after = (-n + swing).normalized();
+    const Vec3 before = (-n - swing.half).normalized();
+    const Vec3 after = (-n + swing.half).normalized();
     const SupportSample first = support(before);
     const SupportSample last = support(after);
     const Vec3 step = last.point(after) - first.point(before);
-    if (!(step.squaredNorm() > square(far))) return x;
-    const Vec3 by_place = 2.0 * swing;  // of the overlap, per way of the place
+    if (!(step.squaredNorm() > square(longest_run * size))) return {};
+    const Vec3 by_place = 2.0 * swing.half;  // of the overlap, per way of the place
     const double by_step = step.dot(by_place);
-    if (!(by_step > 0.0)) return x;
+    if (!(by_step > 0.0)) return {};
     const double excess = last.point(after).dot(by_place) - (last.h - first.h);
     return last.point(after) - std::clamp(excess / by_step, 0.0, 1.0) * step;
+}
+
+/// A contact that goes on at the one place where the body touches the inside of a cylinder, if
+/// there is no need to search.
+std::optional<PairContact> followed_contact(const SrShape& a, const SrSupport& support,
+                                            const CylinderWall& wall, const WallPose& pose,
+                                            const Call<PatchHistory, MissCache>& call) {
+    PatchHistory& history = call.memory.history;
+    if (!wall.inside || history.used != 1) return {};
+    PointHistory point = as_point(history, call.law);
+    const TubePoseOf<double> tube{pose.axis, pose.center, wall.radius, a.bounding_radius};
+    const TubePlaceOf<double> place = followed_place(support, tube, Vec3(point.normal));
+    if (!place.is_only || !wall.reaches(place.z)) return {};
+    const double radius = radius_at(place.support, a, call.law, point);
+    const PairContact contact = force_at(place.at, radius, call.pair, call.law, call.dt, point);
+    keep_point(point, history.slots[0].feature, history);
+    return contact;
 }
 
 }  // namespace
 
 PairContact collide(const SrShape& a, const PlaneWall& wall, const SmoothCall& call) {
     const PairState& pair = call.pair;
+    PointHistory& history = call.memory.history;
     const Vec3 n = body_axis(pair.j.orientation);
     const double height = -pair.displacement.dot(n);
     if (height > a.bounding_radius) return apart(call, height - a.bounding_radius);
     const SrSupport support{a.support, body_axis(pair.i.orientation)};
-    const SupportSample s = support(-n);
-    const double overlap = s.h - height;
-    if (!(overlap > 0.0)) return apart(call, -overlap);
+    const auto [at, s] = place_at_plane(support, n, height);
+    if (!(at.f > 0.0)) return apart(call, -at.f);
     const Vec3 spin = call.dt * (pair.i.angular_velocity - pair.j.angular_velocity);
-    const Vec3 x = mean_place(support, s, n, spin, a.bounding_radius);
+    const PlaneSwing<double> swing = plane_swing<double>(support.axis, n, spin);
+    const std::optional<Vec3> mean = mean_place(support, s, n, swing, a.bounding_radius);
     const PlaneField field{{0.0}, {pair.displacement, n}, wall};
-    if (!field.accepts(x) || field.lets_pass(Vec3::Zero())) return apart(call, 0.0);
-    const ContactPoint point{x + 0.5 * overlap * n, n, overlap, 0};
-    const double radius = contact_radius(call.law, s, a.equivalent_diameter);
-    return contact_force(point, radius, pair, call.law, call.dt, call.memory.history);
+    if (!field.accepts(mean ? *mean : s.point(-n)) || field.lets_pass(Vec3::Zero()))
+        return apart(call, 0.0);
+    const double radius = radius_at(s, a, call.law, history);
+    if (!mean) return force_at(at, radius, pair, call.law, call.dt, history);
+    const ContactPoint point{*mean + 0.5 * at.f * n, n, at.f, 0};
+    return contact_force(point, radius, pair, call.law, call.dt, history);
 }
 
 PairContact collide(const SrShape& a, const CylinderWall& wall,
@@ -88,6 +110,7 @@ PairContact collide(const SrShape& a, const CylinderWall& wall,
     PatchHistory& history = call.memory.history;
     const SrSupport support{a.support, body_axis(pair.i.orientation)};
     const WallPose pose{body_axis(pair.j.orientation), -pair.displacement};
+    if (const auto contact = followed_contact(a, support, wall, pose, call)) return *contact;
     WallTouch touch = wall.inside ? touch_inside(a, support, wall, pose, history)
                                   : touch_rod(a, support, wall, pose);
     if (touch.count == 0) return apart(call, touch.gap);

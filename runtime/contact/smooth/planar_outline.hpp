@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "runtime/contact/smooth/support_sample.hpp"
+#include "runtime/contact/smooth/outline.hpp"
 
 #include <cmath>
 
@@ -30,19 +30,11 @@ inline double turn_measure(const Vec2& from, const Vec2& u) {
 
 }  // namespace planar
 
-/// A convex surface of revolution seen along a cylinder's axis: how far its outline reaches from
-/// the axis in each direction e across it,
-///     F(psi) = e . (c + x),  F' = tau . (c + x),  F'' = sense rho - F,
-/// psi angle of e, c center of the body relative to the axis, x support point towards `sense` e,
-/// tau = e', rho radius of curvature of the outline. sense = +1: farthest from the axis; -1:
-/// nearest to it. Directions are (cos psi, sin psi); (1, 0) is where the body's own axis points.
+/// The outline of a body about a cylinder's axis (outline.hpp) and its extrema. Directions are (cos
+/// psi, sin psi); (1, 0) is where the body's own axis points.
 class PlanarOutline {
   public:
-    struct Sample {
-        double value, slope, curvature;
-        Vec3 e;
-        SupportSample support;  ///< at sense * e
-    };
+    using Sample = OutlineSampleOf<double>;
 
     PlanarOutline(const SrSupport& support, const Vec3& cylinder_axis, const Vec3& center,
                   double sense)
@@ -69,16 +61,8 @@ class PlanarOutline {
     }
 
     Sample at(const Vec2& u) const {
-        Sample s;
-        s.e = u.x() * e1_ + u.y() * e2_;
-        const Vec3 tau = u.x() * e2_ - u.y() * e1_;
-        s.support = support_(sense_ * s.e);
-        const double m = s.support.meridian.dot(tau);
-        s.value = center_.dot(s.e) + sense_ * s.support.h;
-        s.slope = center_.dot(tau) + s.support.tangential * m;
-        const double rho = s.support.across + s.support.excess * m * m;
-        s.curvature = sense_ * rho - s.value;
-        return s;
+        return outline_sample<double>(support_, center_, u.x() * e1_ + u.y() * e2_,
+                                      u.x() * e2_ - u.y() * e1_, sense_);
     }
 
     /// Local maximum of F between `low` and `high`, less than 180 degrees apart, where F rises at

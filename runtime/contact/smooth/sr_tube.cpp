@@ -143,18 +143,6 @@ class InsideSearch {
 
     double gap_of_bounding_sphere() const { return wall_.radius - distance_ - a_.bounding_radius; }
 
-    /// The one place that touches, of a body nowhere flatter than the wall, near where it did.
-    bool follow(const PatchHistory& history, WallTouch& touch) const {
-        if (history.used != 1 || a_.support.bounds.longest_radius > wall_.radius) return false;
-        const Vec2 start = outline_.towards(-Vec3(history.slots[0].normal));
-        const Vec2 low = planar::turned(start, -reach);
-        const Vec2 high = planar::turned(start, reach);
-        const PlanarOutline::Sample s = outline_.maximum(low, high, start);
-        if (!(s.value > wall_.radius) || std::abs(s.slope) > 1e-9 * wall_.radius) return false;
-        add(s, touch);
-        return touch.count == 1;
-    }
-
     void search(const PatchHistory& history, WallTouch& touch) const {
         // Outside of the window every point of the bounding sphere stays at least `clear` away from
         // the wall: nothing that is not looked at there can lessen a gap below.
@@ -192,8 +180,6 @@ class InsideSearch {
     }
 
   private:
-    static constexpr double reach = 0.1;  ///< how far to look for the place of a step ago [rad]
-
     /// Between two places that touch.
     struct Valley {
         bool follows_a_touch = false;
@@ -239,8 +225,7 @@ WallTouch touch_inside(const SrShape& a, const SrSupport& support, const Cylinde
     WallTouch touch;
     const InsideSearch inside(a, support, wall, pose.axis, pose.center);
     touch.gap = inside.gap_of_bounding_sphere();
-    if (touch.gap > 0.0 || inside.follow(history, touch)) return touch;
-    inside.search(history, touch);
+    if (!(touch.gap > 0.0)) inside.search(history, touch);
     return touch;
 }
 

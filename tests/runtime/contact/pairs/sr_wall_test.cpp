@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/pairs/sr_wall.hpp"
 
+#include "common/math/elementary.hpp"
 #include "common/random.hpp"
 #include "runtime/contact/law/pair_law.hpp"
 #include "runtime/contact/pairs/sphere_wall.hpp"
 #include "runtime/contact/smooth/sr_rod.hpp"
 #include "runtime/contact/smooth/sr_tube.hpp"
+#include "runtime/contact/smooth/tube_place.hpp"
 #include "runtime/contact/walls/wall_frame.hpp"
 #include "runtime/integrator/rigid_body.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
@@ -83,6 +85,45 @@ TEST(SrInsideCylinder, FindsEveryPlaceThatTouches) {
         }
     }
     EXPECT_GT(several, 5);
+}
+
+// The body is put where it touches at e as deep as wanted; the search knows nothing of that.
+TEST(SrInsideCylinder, APlaceThatIsFollowedIsTheOnlyOneAndWhereItIs) {
+    Random random(65, 1);
+    const CylinderWall wall{25.3e-3};
+    for (const SolidBody& body : bodies()) {
+        const double size = body.shape.bounding_radius;
+        int followed = 0;
+        int touching = 0;
+        for (int k = 0; k < 2000; ++k) {
+            const double angle = random.uniform(0.0, 2.0 * pi);
+            const Vec3 e(std::cos(angle), std::sin(angle), 0.0);
+            const Vec3 tau = z.cross(e);
+            Vec3 axis = random.direction();
+            if (k % 5 == 1) axis = (e + 0.2 * random.direction()).normalized();
+            if (k % 5 == 2) axis = (tau + 0.1 * random.direction()).normalized();
+            if (k % 5 == 3) axis = (z + 0.1 * random.direction()).normalized();
+            const SrSupport support{body.shape.support, axis};
+            const double overlap = random.uniform(1e-7, 1e-4);
+            const Vec3 center = (wall.radius + overlap) * e - support(e).point(e);
+            const double turn = math::exp(random.uniform(-16.0, -5.6));  // to 3.7e-3
+            const TubePoseOf<double> pose{z, center, wall.radius, size};
+            const auto place = followed_place(support, pose, Vec3(-(e + turn * tau).normalized()));
+            ++touching;
+            if (!place.is_only) continue;
+            ++followed;
+            EXPECT_NEAR(place.at.f, overlap, 1e-12 * size);
+            EXPECT_LE((place.at.n - e).norm(), 2e-9);
+            EXPECT_LE((place.at.middle - (support(e).point(e) - 0.5 * overlap * e)).norm(),
+                      2e-9 * size);
+            EXPECT_NEAR(place.z, (center + support(e).point(e)).z(), 2e-9 * size);
+            const WallTouch touch = touch_inside(body.shape, support, wall, {z, center}, {});
+            ASSERT_EQ(touch.count, 1U);
+            EXPECT_NEAR(touch.points[0].overlap, overlap, 1e-11 * size);
+        }
+        EXPECT_GT(followed, touching / 4) << "of " << touching;
+        RecordProperty("followed", followed);
+    }
 }
 
 TEST(SrInsideCylinder, TheProvenGapIsSafe) {
