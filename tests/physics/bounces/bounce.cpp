@@ -6,6 +6,7 @@
 #include "runtime/walls/wall_distance.hpp"
 #include "tests/physics/bounces/interaction.hpp"
 #include "tests/runtime/simulation/scenes.hpp"
+#include "tests/support/log_uniform.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,10 +36,6 @@ struct Setup {
 InverseInertia inertia_of(const ParticleTemplate& shape) {
     const MassProperties& m = shape.mass_properties;
     return inverse_inertia(density * m.volume, density * m.principal_moments_per_density);
-}
-
-double log_uniform(Random& random, double low, double high) {
-    return low * std::pow(high / low, random.uniform());
 }
 
 /// Turned any way, or with a face or an axis nearly along or across the direction to the other.

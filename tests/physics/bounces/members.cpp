@@ -5,6 +5,7 @@
 #include "tests/runtime/contact/convex_shapes.hpp"
 #include "tests/runtime/contact/sr_fixture.hpp"
 #include "tests/runtime/simulation/scenes.hpp"
+#include "tests/support/log_uniform.hpp"
 #include "tests/support/sample_convex.hpp"
 
 #include <cmath>
@@ -15,9 +16,6 @@ using namespace runtime;
 
 namespace {
 
-double log_uniform(Random& random, double low, double high) {
-    return low * std::pow(high / low, random.uniform());
-}
 double aspect(Random& random) {
     return log_uniform(random, 0.3, 3.0);
 }

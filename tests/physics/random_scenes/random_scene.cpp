@@ -4,6 +4,7 @@
 #include "runtime/contact/law/pair_law.hpp"
 #include "tests/physics/bounces/members.hpp"
 #include "tests/runtime/simulation/scenes.hpp"
+#include "tests/support/log_uniform.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +18,6 @@ using namespace shapegen;
 namespace {
 
 constexpr double solid_share = 0.1;  // random places are still found
-
-double log_uniform(Random& random, double low, double high) {
-    return low * std::pow(high / low, random.uniform());
-}
 
 /// Spheres and cuboids of a size up to so much, those of other kinds 2 to 5 mm.
 ParticleTemplate any_body(Random& random, double smallest, double largest) {

@@ -47,7 +47,7 @@ TEST(PlyReader, OtherPropertiesAndElementsArePassedOver) {
 template <class... Values>
 std::string binary(bool is_big, Values... values) {
     std::string all;
-    const auto add = [&](const auto& value) {
+    [[maybe_unused]] const auto add = [&](const auto& value) {
         std::string bytes = bytes_of(value);
         if (is_big) std::reverse(bytes.begin(), bytes.end());
         all += bytes;
