@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/case/key.hpp"
 
+#include "common/text.hpp"
+
 #include <cmath>
 #include <sstream>
 
@@ -40,12 +42,10 @@ std::string_view si_unit(Dimension dimension) {
     return "";
 }
 
-std::string joined(std::string_view words, std::string_view between) {
-    std::string text;
-    for (const std::string_view word : split(words, ' ')) {
-        text += (text.empty() ? "" : std::string(between)) + std::string(word);
-    }
-    return text;
+/// "a b" -> "a, b"
+std::string listed(std::string_view words) {
+    const auto parts = split(words, ' ');
+    return joined(std::vector<std::string>(parts.begin(), parts.end()));
 }
 
 std::string number_text(double x) {
@@ -59,7 +59,7 @@ std::string value_text(const Key& key) {
         case ValueType::yes_no:
             return "yes, no";
         case ValueType::choice:
-            return joined(key.words, ", ");
+            return listed(key.words);
         case ValueType::vector:
             return "x y z";
         case ValueType::orientation:
@@ -92,7 +92,7 @@ void describe(const SectionKind& kind, std::ostringstream& out) {
             const auto parts = split(key.when, '=');
             std::string choices(parts[1]);
             for (char& c : choices) c = c == '|' ? ' ' : c;
-            out << "(" << parts[0] << " = " << joined(choices, ", ") << ") ";
+            out << "(" << parts[0] << " = " << listed(choices) << ") ";
         }
         out << key.doc << " |\n";
     }

@@ -10,7 +10,7 @@ namespace dem::runtime {
 
 namespace {
 
-std::vector<char> joined(const std::vector<std::string>& lines) {
+std::vector<char> text_of(const std::vector<std::string>& lines) {
     std::vector<char> text;
     for (const std::string& line : lines) {
         text.insert(text.end(), line.begin(), line.end());
@@ -65,7 +65,7 @@ void check_case(const std::string& where, const std::vector<std::string>& before
 void save_checkpoint(const std::filesystem::path& path, const Simulation& simulation,
                      const AtRest& at_rest, const OutputProgress& outputs) {
     StateWriter writer;
-    writer("case", joined(simulation.scene().case_lines));
+    writer("case", text_of(simulation.scene().case_lines));
     writer("time_step", simulation.time_step());
     writer("outputs", outputs);
     AtRest::visit_state(at_rest, writer);
