@@ -227,6 +227,13 @@ struct LaneQuat {
     }
 };
 
+/// body_axis() in each lane.
+template <class Real>
+LaneVec3<Real> body_axis(const LaneQuat<Real>& q) {
+    return {2.0 * (q.x_ * q.z_ + q.w_ * q.y_), 2.0 * (q.y_ * q.z_ - q.w_ * q.x_),
+            1.0 - 2.0 * (q.x_ * q.x_ + q.y_ * q.y_)};
+}
+
 template <class Real>
 struct QuatOfReal {
     using Type = LaneQuat<Real>;

@@ -126,7 +126,7 @@ std::uint64_t advance(const BodyArrays& bodies, std::size_t first, std::size_t c
                                                });
 
         kick(m, force, torque, 0.5 * dt, v, L);
-        const Vector omega = angular_velocity_of<Real>(m.moments, axis_of<Real>(q), L);
+        const Vector omega = angular_velocity_of<Real>(m.moments, body_axis(q), L);
         for (std::size_t l = 0; l < group.count; ++l) {
             if (is_small[l] == 0) continue;
             const std::size_t body = group.body(l);
@@ -149,7 +149,7 @@ std::uint64_t correct(const BodyArrays& bodies, std::size_t first, std::size_t c
         kick(m, vector(bodies.force, group) - vector(bodies.old_force, group),
              vector(bodies.torque, group) - vector(bodies.old_torque, group), 0.5 * dt, v, L);
         const QuatOf<Real> q = quaternion(bodies.orientation, group);
-        const Vector omega = angular_velocity_of<Real>(m.moments, axis_of<Real>(q), L);
+        const Vector omega = angular_velocity_of<Real>(m.moments, body_axis(q), L);
         for (std::size_t l = 0; l < group.count; ++l) {
             if (m.is_axial[l] == 0) continue;
             const std::size_t body = group.body(l);

@@ -35,13 +35,6 @@ inline Quat rotation(const Vec3& turn) {
     return {half.cosine, s * turn.x(), s * turn.y(), s * turn.z()};
 }
 
-/// body_axis() in each lane.
-template <class Real>
-Vec3Of<Real> axis_of(const QuatOf<Real>& q) {
-    return {2.0 * (q.x() * q.z() + q.w() * q.y()), 2.0 * (q.y() * q.z() - q.w() * q.x()),
-            1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y())};
-}
-
 /// Inverse principal moments of a body of revolution [1/(kg m^2)].
 template <class Real>
 struct AxialMoments {
@@ -54,7 +47,7 @@ struct AxialMoments {
 template <class Real>
 Vec3Of<Real> angular_velocity_of(const AxialMoments<Real>& m, const Vec3Of<Real>& axis,
                                  const Vec3Of<Real>& L) {
-    const Vec3Of<Real> across = m.across * L;
+    Vec3Of<Real> across = m.across * L;
     if (all(m.are_equal())) return across;
     return select(m.are_equal(), across,
                   Vec3Of<Real>(across + Real((m.along - m.across) * L.dot(axis)) * axis));
@@ -64,7 +57,7 @@ Vec3Of<Real> angular_velocity_of(const AxialMoments<Real>& m, const Vec3Of<Real>
 /// inverse principal moments [1/(kg m^2)].
 inline Vec3 angular_velocity(const Quat& q, const Vec3& L, const Vec3& inverse_moments) {
     const Vec3& m = inverse_moments;
-    if (m.x() == m.y()) return angular_velocity_of<double>({m.x(), m.z()}, axis_of<double>(q), L);
+    if (m.x() == m.y()) return angular_velocity_of<double>({m.x(), m.z()}, body_axis(q), L);
     const Vec3 L_body = q.conjugate() * L;
     return q * Vec3(m.cwiseProduct(L_body));
 }
@@ -92,7 +85,7 @@ QuatOf<Real> precessed(const AxialMoments<Real>& m, const QuatOf<Real>& q, const
                        double dt, const Rotate& rotate) {
     const QuatOf<Real> precession = rotate(Vec3Of<Real>(Real(dt * m.across) * L));
     if (all(m.are_equal())) return renormalized<Real>(precession * q);
-    const Real own_spin = (m.along - m.across) * L.dot(axis_of<Real>(q));
+    const Real own_spin = (m.along - m.across) * L.dot(body_axis(q));
     const QuatOf<Real> own = rotate(Vec3Of<Real>{Real{}, Real{}, Real(dt * own_spin)});
     return renormalized<Real>(precession *
                               select(m.are_equal(), q, turned_about_own_axis<Real>(q, own)));

@@ -12,7 +12,7 @@ template <class Law, class Pair, class Real, class History>
 Vec3Of<Real> end_step(const Law& law, const WholeContactOf<Pair>& contact,
                       const AgeingOf<Real>& ageing, History& history,
                       ContactEnergyOf<Real>& energy) {
-    const Vec3Of<Real> moment = moment_of_parts(law, contact, history, energy);
+    Vec3Of<Real> moment = moment_of_parts(law, contact, history, energy);
     history.normal = contact.normal;
     history.dissipated += energy.dissipated;
     energy.dissipated += age(law, ageing, history);
