@@ -74,31 +74,34 @@ MaskOf<Real> is_round_between(const Support& support, const Real& radius, const 
 }
 
 /// Whether a body that touches at e touches nowhere else: two places at the wall would have between
-/// them outline flatter than the wall (Blaschke's rolling theorem), and they are no farther apart
-/// than the body is wide. False where that is not certain. `tau`: e turned by 90 degrees about the
-/// axis of the wall.
+/// them outline flatter than the wall (Blaschke's rolling theorem), and both lie within its
+/// bounding sphere. False where that is not certain. `tau`: e turned by 90 degrees about the wall's
+/// axis.
 template <class Real, class Support>
 MaskOf<Real> is_only_place(const Support& support, const TubePoseOf<Real>& pose,
                            const Vec3Of<Real>& e, const Vec3Of<Real>& tau) {
     const MaskOf<Real> is_round = support.bounds().longest_radius <= pose.radius;
     if (all(is_round)) return is_round;
-    // Half of the largest angle between two places, then all of it.
-    const Real half = pose.size / pose.radius;
-    const MaskOf<Real> is_narrow = half < 0.7;
-    const Real half_sine = select(is_narrow, half, Real{});
-    const Real cosine = 1.0 - 2.0 * square(half_sine);
-    const Real sine = 2.0 * half_sine * root(Real(1.0 - square(half_sine)));
-    // Between which latitudes the directions are that are no farther from e.
+    const MaskOf<Real> is_narrow = 2.0 * pose.size < pose.radius;  // within 90 degrees of e
+    // Sines and cosines of the angles from e between which other places may be.
+    const Real aside = pose.center.dot(tau);
+    const Real one = in_all<Real>(1.0);
+    const Real low = clamped<Real>((aside - pose.size) / pose.radius, -one, one);
+    const Real high = clamped<Real>((aside + pose.size) / pose.radius, -one, one);
+    const Real low_cosine = root(Real(1.0 - square(low)));
+    const Real high_cosine = root(Real(1.0 - square(high)));
+    // Between which latitudes the outline's normals are there: at the ends, or where they turn.
     const Real u = e.dot(support.axis);
     const Real v = tau.dot(support.axis);
-    const Real end = u * cosine;
-    const Real swing = absolute(v) * sine;
-    const MaskOf<Real> turns_back = absolute(v) * cosine < absolute(u) * sine;
-    const Real highest = smaller<Real>(in_all<Real>(1.0), root(Real(u * u + v * v)));
-    const Real high = select(both(turns_back, u > 0.0), highest, end + swing);
-    const Real low = select(both(turns_back, u < 0.0), -highest, end - swing);
+    const Real first = u * low_cosine + v * low;
+    const Real last = u * high_cosine + v * high;
+    const MaskOf<Real> rises_first = v * low_cosine > u * low;
+    const MaskOf<Real> rises_last = v * high_cosine > u * high;
+    const Real tilt = smaller<Real>(one, root(Real(u * u + v * v)));
+    const Real highest = select(both(rises_first, no(rises_last)), tilt, larger(first, last));
+    const Real lowest = select(both(no(rises_first), rises_last), -tilt, smaller(first, last));
     const MaskOf<Real> is_round_near =
-        is_round_between<Real>(support, pose.radius, latitude(low), latitude(high));
+        is_round_between<Real>(support, pose.radius, latitude(lowest), latitude(highest));
     return either(is_round, both(is_narrow, is_round_near));
 }
 
