@@ -19,7 +19,7 @@
 
 // Cost of the time loop on settled beds with fixed counts:
 //
-//     time_loop_benchmark spheres|candies|candies_nodes|tablets|clumps|sand|cylinders
+//     time_loop_benchmark spheres|candies|candies_nodes|tablets|clumps|sand|cylinders|filling|drum
 //                         [count [threads[,threads...] [steps [skin in mm]]]]
 //
 // A bed first settles with a large time step, then the loop is timed with the one of the scene,
@@ -27,8 +27,10 @@
 // still computes the same. The cost of one core is in cpu_us; the wall time says as much only on an
 // idle machine. Virtual machines are given more or fewer of the cycles of their cores from second
 // to second: `cycles` is cpu_us times the clock measured between the blocks, and can be compared
-// from run to run. `lanes`: contacts computed at a time; `rare_percent`: of those given to kernels
-// in the last step, how many were computed one by one after all.
+// from run to run. `lanes`: contacts computed at a time; `rare_percent`: of those given to kernels,
+// how many were computed one by one after all, sampled after each block. `filling` is a vessel half
+// way through being filled with candies and `drum` a drum of them that turns, both with the large
+// step.
 
 namespace dem::runtime {
 
@@ -37,7 +39,8 @@ using namespace shapegen;
 namespace {
 
 constexpr const char* scene_names =
-    "spheres, candies, candies_nodes, tablets, clumps, sand, cylinders";
+
+    "spheres, candies, candies_nodes, tablets, clumps, sand, cylinders, filling, drum";
 
 struct Settings {
     std::string scene;
@@ -91,6 +94,38 @@ Bed vessel_bed(const Settings& s, const ParticleTemplate& shape, ContactLaw::Met
     return {std::move(scene), 5e-6, 100000, 5e-7};
 }
 
+// That vessel half full.
+Bed filling_bed(const Settings& s) {
+    Bed bed = vessel_bed(s, scenes::candy(), ContactLaw::Method::continuous);
+    bed.settling_steps = 35000;
+    bed.dt = bed.settling_dt;
+    return bed;
+}
+
+// Candies in a drum that turns about its axis once a second.
+Bed drum_bed(const Settings& s) {
+    Bed bed = filling_bed(s);
+    const double radius = 40e-3 * std::cbrt(s.count / 250.0);
+    std::vector<BodyPlacement> bodies = scenes::column(s.count, 1, radius, 13.3e-3);
+    double length = 0.0;
+    for (BodyPlacement& body : bodies) {
+        length = std::max(length, body.position.z() + 7e-3);
+        body.position = Vec3(body.position.x(), body.position.z(), body.position.y());
+    }
+    Wall drum;
+    drum.name = "drum";
+    drum.shape = CylinderWall{.radius = radius};
+    drum.orientation = orientation_towards(Vec3::UnitY());
+    drum.motion.kind = WallMotion::Kind::rotate;
+    drum.motion.axis = Vec3::UnitY();
+    drum.motion.rate = 2.0 * pi;
+    bed.scene.insertions = {scenes::placed(std::move(bodies))};
+    bed.scene.walls = {drum, scenes::plane(Vec3::Zero(), Vec3::UnitY()),
+                       scenes::plane(length * Vec3::UnitY(), -Vec3::UnitY())};
+    bed.settling_steps = 60000;
+    return bed;
+}
+
 // The same packing of clumps of 60 spheres.
 Bed clump_bed(const Settings& s) {
     Bed bed = vessel_bed(s, scenes::candy(), ContactLaw::Method::automatic);
@@ -130,6 +165,8 @@ Bed make_bed(const Settings& s) {
         return vessel_bed(s, scenes::candy(), ContactLaw::Method::nodes);
     if (s.scene == "tablets")
         return vessel_bed(s, scenes::tablet(), ContactLaw::Method::continuous);
+    if (s.scene == "filling") return filling_bed(s);
+    if (s.scene == "drum") return drum_bed(s);
     if (s.scene == "clumps") return clump_bed(s);
     if (s.scene == "sand") return sand_bed(s);
     if (s.scene == "cylinders") return cylinder_bed(s);
@@ -158,6 +195,7 @@ struct Cost {
     double wall, cpu, best_cpu;
     double cycles;  ///< per particle and step, median
     double clock;   ///< [GHz], median
+    double rare;    ///< lanes in percent, mean over the blocks
 };
 
 // CPU time of this thread [s].
@@ -187,6 +225,7 @@ Cost cost_of(Simulation& simulation, int steps) {
     const double particle_steps = static_cast<double>(simulation.particles().size()) * block_steps;
     std::vector<double> wall, cpu, cycles, clock;
     double clock_before = effective_clock();
+    LaneUse lanes;
     for (int block = 0; block < blocks; ++block) {
         const std::clock_t cpu_start = std::clock();
         const auto start = std::chrono::steady_clock::now();
@@ -199,10 +238,14 @@ Cost cost_of(Simulation& simulation, int steps) {
         clock.push_back(0.5 * (clock_before + clock_after));
         cycles.push_back(1e3 * cpu.back() * clock.back());
         clock_before = clock_after;
+        lanes.contacts += simulation.lanes().contacts;
+        lanes.rare += simulation.lanes().rare;
     }
     for (std::vector<double>* values : {&wall, &cpu, &cycles, &clock})
         std::sort(values->begin(), values->end());
-    return {wall[blocks / 2], cpu[blocks / 2], cpu[0], cycles[blocks / 2], clock[blocks / 2]};
+    const double rare = 100.0 * static_cast<double>(lanes.rare) /
+                        std::max(1.0, static_cast<double>(lanes.contacts));
+    return {wall[blocks / 2], cpu[blocks / 2], cpu[0], cycles[blocks / 2], clock[blocks / 2], rare};
 }
 
 void measure(const Settings& s, const Bed& bed, const Simulation& settling, int threads) {
@@ -220,16 +263,14 @@ void measure(const Settings& s, const Bed& bed, const Simulation& settling, int 
     const double count = simulation.particles().size();
     const auto contacts =
         static_cast<double>(std::count(touching.begin(), touching.end(), std::uint8_t{1}));
-    const LaneUse lanes = simulation.lanes();
-    const double rare = 100.0 * static_cast<double>(lanes.rare) /
-                        std::max(1.0, static_cast<double>(lanes.contacts));
     std::printf("%s,%u,%d,%.2f,%d,%.4f,%.4f,%.4f,%.0f,%.2f,%.2f,%.2f,%" PRIu64
                 ",%.0f,%d,%.1f,%016" PRIx64 "\n",
                 s.scene.c_str(), simulation.particles().size(), threads,
                 simulation.team().mean_size(), steps, cost.wall, cost.cpu, cost.best_cpu,
                 cost.cycles, cost.clock, static_cast<double>(touching.size()) / count,
                 contacts / count, simulation.lists().rebuilds - rebuilds,
-                static_cast<double>(heap) / count, lanes.width, rare, simulation.state_hash());
+                static_cast<double>(heap) / count, simulation.lanes().width, cost.rare,
+                simulation.state_hash());
     std::fflush(stdout);
 }
 
