@@ -13,18 +13,26 @@ namespace {
 
 LaneKind lane_kind(const Scene& scene, const BodyKind& kind) {
     const ParticleTemplate& shape = scene.shapes[kind.shape];
-    LaneKind lane{kind.inverse_inertia.mass,
-                  kind.inverse_inertia.moments.x(),
-                  kind.inverse_inertia.surface,
-                  shape.bounding_radius,
-                  0.0,
-                  nullptr};
-    if (const auto* sphere = std::get_if<Sphere>(&shape.shape))
-        lane.bounding_radius = sphere->radius;
+    LaneKind lane;
+    lane.inverse_mass = kind.inverse_inertia.mass;
+    lane.inverse_moment = kind.inverse_inertia.moments.x();
+    lane.inverse_surface = kind.inverse_inertia.surface;
+    lane.radius = shape.bounding_radius;
+    if (const auto* sphere = std::get_if<Sphere>(&shape.shape)) lane.radius = sphere->radius;
     if (const auto* sr = std::get_if<SrShape>(&shape.shape)) {
-        lane.bounding_radius = sr->bounding_radius;
+        lane.radius = sr->bounding_radius;
         lane.equivalent_diameter = sr->equivalent_diameter;
         lane.support = &sr->support;
+    }
+    return lane;
+}
+
+LaneKind lane_kind(const WallShape& wall) {
+    LaneKind lane;
+    if (const auto* plane = std::get_if<PlaneWall>(&wall)) lane.radius = plane->radius;
+    if (const auto* cylinder = std::get_if<CylinderWall>(&wall)) {
+        lane.radius = cylinder->radius;
+        lane.length = cylinder->length;
     }
     return lane;
 }
@@ -39,6 +47,12 @@ std::array<double, 3> plain(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
 }
 
+LaneRow row(const Vec3& position, const Quat& orientation, const Vec3& velocity,
+            const Vec3& angular_velocity) {
+    return {plain(position), plain(body_axis(orientation)), plain(velocity),
+            plain(angular_velocity)};
+}
+
 }  // namespace
 
 LaneBodies make_lane_bodies(const Scene& scene) {
@@ -46,17 +60,25 @@ LaneBodies make_lane_bodies(const Scene& scene) {
     const bool alike = std::all_of(laws.begin(), laws.end(), [&](const ContactLaw& law) {
         return choose_alike(law, laws.front());
     });
-    LaneBodies lanes{lane_kernels(alike ? lane_width(scene) : 1), {}, {}};
+    LaneBodies lanes;
+    lanes.kernels = lane_kernels(alike ? lane_width(scene) : 1);
     for (const BodyKind& kind : scene.kinds) lanes.kinds.push_back(lane_kind(scene, kind));
+    for (const Wall& wall : scene.walls) lanes.wall_kinds.push_back(lane_kind(wall.shape));
     return lanes;
 }
 
-void update(LaneBodies& lanes, const Particles& particles) {
+void update(LaneBodies& lanes, const Particles& particles, const MovingWalls& walls) {
     lanes.rows.resize(particles.size());
     share_each(particles.size(), bodies_at_a_time, [&](std::size_t i) {
-        lanes.rows[i] = {plain(particles.position[i]), plain(body_axis(particles.orientation[i])),
-                         plain(particles.velocity[i]), plain(particles.angular_velocity[i])};
+        lanes.rows[i] = row(particles.position[i], particles.orientation[i], particles.velocity[i],
+                            particles.angular_velocity[i]);
     });
+    lanes.wall_rows.clear();
+    for (const WallState& wall : walls.state) {
+        const BodyState& body = wall.body;
+        lanes.wall_rows.push_back(
+            row(wall.position, body.orientation, body.velocity, body.angular_velocity));
+    }
 }
 
 }  // namespace dem::runtime

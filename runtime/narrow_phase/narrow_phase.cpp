@@ -3,6 +3,7 @@
 
 #include "common/threads/thread_team.hpp"
 #include "runtime/contact/fields/clump_contact.hpp"
+#include "runtime/contact/walls/wall_work.hpp"
 #include "runtime/loop_grain.hpp"
 #include "runtime/walls/wall_distance.hpp"
 
@@ -32,9 +33,11 @@ struct ParticlePartner {
         return std::min(radius[kind[ids.i]], radius[kind[ids.j]]);
     }
     static double work(const PairState&, const PairContact&, double) { return 0.0; }
-    template <class Row>
-    LaneKernel kernel(const LaneKernels& kernels) const {
-        return lane_kernel<Row>(kernels);
+    static const LaneRow& lane_row(const LaneBodies& lanes, std::uint32_t j) {
+        return lanes.rows[j];
+    }
+    const LaneKind& lane_kind(const LaneBodies& lanes, std::uint32_t j) const {
+        return lanes.kinds[bodies.particles.kind[j]];
     }
 };
 
@@ -51,14 +54,14 @@ struct WallPartner {
     PairState pair(const IdPair& ids) const { return bodies.wall_pair(ids.i, ids.j); }
     const ContactLaw& law(const IdPair& ids) const { return bodies.wall_law(ids.i, ids.j); }
     double smaller_radius(const IdPair& ids) const { return radius[bodies.particles.kind[ids.i]]; }
-    // The wall feels -force and torque_j; what it gives to the particle is their work, negated.
     static double work(const PairState& pair, const PairContact& contact, double dt) {
-        return dt *
-               (contact.force.dot(pair.j.velocity) - contact.torque_j.dot(pair.j.angular_velocity));
+        return wall_work(pair, contact, dt);
     }
-    template <class Row>
-    LaneKernel kernel(const LaneKernels& /*kernels*/) const {
-        return nullptr;
+    static const LaneRow& lane_row(const LaneBodies& lanes, std::uint32_t j) {
+        return lanes.wall_rows[j];
+    }
+    static const LaneKind& lane_kind(const LaneBodies& lanes, std::uint32_t j) {
+        return lanes.wall_kinds[j];
     }
 };
 
@@ -160,22 +163,29 @@ struct Worker {
 
     // ---- In lanes.
 
-    /// Whether a pair touched in the step before, under a law that kernels know.
+    /// Whether a pair touched in the step before, in a way and under a law that kernels know.
     bool goes_on(std::uint32_t k) const {
-        return list.history_of[k] != List::none && runs_in_lanes(partner.law(list.ids[k]));
+        if (list.history_of[k] == List::none) return false;
+        const IdPair ids = list.ids[k];
+        if constexpr (std::is_same_v<B, CylinderWall>) {
+            // Kernels know the inside.
+            if (!partner.template shape<B>(ids.j).inside) return false;
+        }
+        return is_one_point(list.histories[list.history_of[k]]) && runs_in_lanes(partner.law(ids));
     }
 
     void add_to_block(std::uint32_t k, const LaneBodies& lanes) {
         const IdPair ids = list.ids[k];
-        const auto& kind = partner.bodies.particles.kind;
+        auto& history = list.histories[list.history_of[k]];
         LaneBlock& block = scratch.block;
         block.pair[block.count] = k;
         block.contacts[block.count++] = {&lanes.rows[ids.i],
-                                         &lanes.rows[ids.j],
-                                         &lanes.kinds[kind[ids.i]],
-                                         &lanes.kinds[kind[ids.j]],
+                                         &partner.lane_row(lanes, ids.j),
+                                         &lanes.kinds[partner.bodies.particles.kind[ids.i]],
+                                         &partner.lane_kind(lanes, ids.j),
                                          &partner.law(ids),
-                                         &list.histories[list.history_of[k]],
+                                         &history,
+                                         &spring_of(history),
                                          &lists.results[list.first_result + k]};
     }
 
@@ -187,6 +197,7 @@ struct Worker {
             const std::uint32_t k = block.pair[n];
             if ((block.outcome.done >> n & 1) != 0) {
                 lists.touching[list.first_result + k] = 1;
+                share_normal(list.histories[list.history_of[k]]);
                 look_at_overlap(block.outcome.overlap[n], list.ids[k], list.first_result + k);
             } else {
                 compute(k);
@@ -222,8 +233,9 @@ void compute_part(List& list, NeighborLists& lists, const Partner& partner, doub
         list, lists, partner, dt, list.changes[part.worker], scratch.threads[part.worker]};
     const auto first = static_cast<std::uint32_t>(begin) - list.first_result;
     const auto last = static_cast<std::uint32_t>(end) - list.first_result;
-    const LaneKernel kernel = partner.template kernel<typename List::Row>(*scratch.lanes.kernels);
-    if constexpr (std::is_same_v<typename List::History, PointHistory> && !Partner::is_wall) {
+    constexpr LaneKernel LaneKernels::*kernel_of = kernel_of_row<typename List::Row>();
+    if constexpr (kernel_of != nullptr) {
+        const LaneKernel kernel = scratch.lanes.kernels->*kernel_of;
         if (kernel != nullptr) {
             worker.compute_in_lanes(first, last, kernel, scratch.lanes);
             return;
@@ -264,6 +276,16 @@ void settle_changes(List& list, std::vector<Parting>& partings, const Mark& mark
     ended.clear();
 }
 
+/// Whether contacts go on that a kernel may be for.
+bool any_for_lanes(const NeighborLists& lists) {
+    bool any = false;
+    for_each_list(lists, [&]<class List>(const List& list) {
+        if (kernel_of_row<typename List::Row>() == nullptr) return;
+        any = any || list.histories.size() > list.vacant.size();
+    });
+    return any;
+}
+
 }  // namespace
 
 NarrowPhaseScratch make_scratch(const Scene& scene, std::size_t threads) {
@@ -302,7 +324,8 @@ LargestOverlap compute_contacts(NeighborLists& lists, const Bodies& bodies, doub
         thread.block.computed = 0;
         thread.block.rare = 0;
     }
-    if (scratch.lanes.in_use()) update(scratch.lanes, bodies.particles);
+    if (scratch.lanes.in_use() && any_for_lanes(lists))
+        update(scratch.lanes, bodies.particles, bodies.walls);
     const ParticlePartner particle{bodies, scratch.equivalent_radius};
     const WallPartner wall{bodies, scratch.equivalent_radius};
     const auto with_partners = [&](const auto& visit) {

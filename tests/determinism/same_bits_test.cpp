@@ -118,6 +118,17 @@ Scene node_mixture() {
     return mixture(ContactLaw::Method::nodes);
 }
 
+// Tablets with sharp edges, which touch the side of the vessel in one place or two.
+Scene tablets() {
+    Scene scene = scenes::one_material({1e8, 1400.0, 0.5, 0.3});
+    scenes::add_kind(scene, scenes::tablet());
+    pour_into_turning_vessel(scene, 60, 1);
+    scene.walls[0].shape = CylinderWall{25e-3, 0.3};
+    scene.walls[1].motion.point = {5e-3, 0.0, 0.0};
+    scene.run.overlap_limit = 0.3;
+    return scene;
+}
+
 // Clumps among candies, peanuts and spheres: every pair of kinds that has a clump in it.
 Scene clump_mixture() {
     Scene scene = scenes::one_material({2e7, 1400.0, 0.5, 0.3});
@@ -242,6 +253,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(NamedScene{"polydisperse_spheres", polydisperse_spheres, 4e-6, 2000},
                     NamedScene{"batches", batches_into_a_turning_vessel, 6e-6, 4000},
                     NamedScene{"continuous", continuous_mixture, 1e-5, 3000},
+                    NamedScene{"tablets", tablets, 5e-6, 4000},
                     NamedScene{"nodes", node_mixture, 1e-5, 3000},
                     NamedScene{"clumps", clump_mixture, 1e-5, 3000},
                     NamedScene{"convex", convex_mixture, 1e-5, 1500},

@@ -14,22 +14,23 @@
 /// moved so far that its normal must be searched anew) is rare, and left to collide().
 namespace dem::runtime {
 
-/// What a contact in a lane reads of a body.
+/// What a contact in a lane reads of a body or a wall.
 struct alignas(32) LaneRow {
-    std::array<double, 3> position;          ///< of the center of mass [m]
-    std::array<double, 3> axis;              ///< of a surface of revolution, unit
+    std::array<double, 3> position;          ///< of the center of mass, or the wall's origin [m]
+    std::array<double, 3> axis;              ///< of a surface of revolution or a wall, unit
     std::array<double, 3> velocity;          ///< [m/s]
     std::array<double, 3> angular_velocity;  ///< [rad/s]
 };
 
-/// What it reads of a kind of body.
+/// What it reads of a kind of body, or of a wall.
 struct LaneKind {
-    double inverse_mass;         ///< [1/kg]
-    double inverse_moment;       ///< across the axis [1/(kg m^2)]
-    double inverse_surface;      ///< InverseInertia::surface [1/kg]
-    double bounding_radius;      ///< [m]; of a sphere its radius
-    double equivalent_diameter;  ///< [m]
-    const SupportMap* support;   ///< of a convex surface of revolution, or null
+    double inverse_mass = 0.0;            ///< [1/kg]
+    double inverse_moment = 0.0;          ///< across the axis [1/(kg m^2)]
+    double inverse_surface = 0.0;         ///< InverseInertia::surface [1/kg]
+    double radius = 0.0;                  ///< bounding radius; of a sphere or a wall its own [m]
+    double equivalent_diameter = 0.0;     ///< [m]
+    const SupportMap* support = nullptr;  ///< of a convex surface of revolution
+    double length = 0.0;                  ///< of a cylinder wall [m]
 };
 
 /// What one pair does in this step: what the sum over a particle's contacts needs, no more.
@@ -41,13 +42,14 @@ struct PairResult {
     double wall_work = 0.0;          ///< of a moving wall on the particle during this step [J]
 };
 
-/// A contact for a lane: two bodies that touched in the step before, what they remember of it, and
-/// where its result goes.
+/// A contact for a lane: two bodies, or one and a wall, that touched in one point in the step
+/// before, what they remember of it, and where its result goes.
 struct LaneContact {
     const LaneRow *i, *j;
     const LaneKind *kind_i, *kind_j;
     const ContactLaw* law;
-    PointHistory* history;
+    ContactHistory* history;
+    SpringHistory* spring;
     PairResult* result;
 };
 
@@ -68,6 +70,10 @@ struct LaneKernels {
     int width = 1;  ///< contacts at a time; 1: no kernels, every contact by collide()
     LaneKernel spheres = nullptr;
     LaneKernel smooth = nullptr;  ///< two convex surfaces of revolution
+    LaneKernel sphere_at_plane = nullptr;
+    LaneKernel sphere_in_tube = nullptr;  ///< at the inside of a cylinder
+    LaneKernel smooth_at_plane = nullptr;
+    LaneKernel smooth_in_tube = nullptr;
 };
 
 /// Whether contacts under this law may go to lanes.

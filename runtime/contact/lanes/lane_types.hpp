@@ -41,7 +41,7 @@ struct LanePair {
     LaneBody<Real> i, j;
 };
 
-/// PointHistory in each lane.
+/// What a contact of one point remembers, in each lane.
 template <class Real>
 struct LaneHistory {
     Vec3Of<Real> normal;

@@ -5,8 +5,12 @@
 #include "runtime/contact/lanes/lane_types.hpp"
 #include "runtime/contact/lanes/lane_widths.hpp"
 #include "runtime/contact/pairs/sphere_sphere.hpp"
+#include "runtime/contact/pairs/sphere_wall.hpp"
+#include "runtime/contact/smooth/plane_place.hpp"
 #include "runtime/contact/smooth/rival_normal.hpp"
 #include "runtime/contact/smooth/smooth_contact.hpp"
+#include "runtime/contact/smooth/tube_place.hpp"
+#include "runtime/contact/walls/wall_work.hpp"
 
 namespace dem::runtime {
 
@@ -61,22 +65,25 @@ LanePair<Real> pair(const Group& group) {
             body(group, &LaneContact::j, &LaneContact::kind_j)};
 }
 
-Vector each_stored(const Group& group, StoredVec3 PointHistory::*of) {
-    return {each(group, [&](const auto& c) { return (c.history->*of).x; }),
-            each(group, [&](const auto& c) { return (c.history->*of).y; }),
-            each(group, [&](const auto& c) { return (c.history->*of).z; })};
+template <class Of>
+Vector each_stored(const Group& group, const Of& of) {
+    return {each(group, [&](const LaneContact& c) { return of(c).x; }),
+            each(group, [&](const LaneContact& c) { return of(c).y; }),
+            each(group, [&](const LaneContact& c) { return of(c).z; })};
 }
 
 LaneHistory<Real> history(const Group& group) {
-    const auto of = [&](double PointHistory::*quantity) {
+    const auto of = [&](double ContactHistory::*quantity) {
         return each(group, [&](const auto& c) { return c.history->*quantity; });
     };
-    return {each_stored(group, &PointHistory::normal),
-            of(&PointHistory::effective_radius),
-            of(&PointHistory::phase),
-            of(&PointHistory::dissipated),
-            each_stored(group, &PointHistory::spring),
-            of(&PointHistory::stiffness)};
+    return {each_stored(
+                group, [](const auto& c) -> const auto& { return c.history->normal; }),
+            of(&ContactHistory::effective_radius),
+            of(&ContactHistory::phase),
+            of(&ContactHistory::dissipated),
+            each_stored(
+                group, [](const auto& c) -> const auto& { return c.spring->spring; }),
+            each(group, [](const auto& c) { return c.spring->stiffness; })};
 }
 
 LaneLaw<Real> law(const Group& group) {
@@ -110,28 +117,30 @@ StoredVec3 lane(const Vector& v, std::size_t l) {
     return stored;
 }
 
-void store(const LanePairContact<Real>& contact, const LaneHistory<Real>& now, std::size_t l,
+/// What a kernel finds out about a group: which lanes hold a contact that collide() would find,
+/// too.
+struct Computed {
+    Mask is_done;
+    LanePairContact<Real> contact;
+    Real wall_work{};  ///< [J]
+};
+
+void store(const Computed& computed, const LaneHistory<Real>& now, std::size_t l,
            const LaneContact& c) {
+    const LanePairContact<Real>& contact = computed.contact;
     c.result->force = lane(contact.force, l);
     c.result->torque_i = lane(contact.torque_i, l);
     c.result->torque_j = lane(contact.torque_j, l);
     c.result->elastic_energy = contact.elastic_energy[l];
     c.result->dissipated_energy = contact.dissipated_energy[l];
-    c.result->wall_work = 0.0;
+    c.result->wall_work = computed.wall_work[l];
     c.history->normal = lane(now.normal, l);
     c.history->effective_radius = now.effective_radius[l];
     c.history->phase = now.phase[l];
     c.history->dissipated = now.dissipated[l];
-    c.history->spring = lane(now.spring, l);
-    c.history->stiffness = now.stiffness[l];
+    c.spring->spring = lane(now.spring, l);
+    c.spring->stiffness = now.stiffness[l];
 }
-
-/// What a kernel finds out about a group: whose lanes hold a contact that collide() would find,
-/// too.
-struct Computed {
-    Mask is_done;
-    LanePairContact<Real> contact;
-};
 
 template <class Compute>
 void for_each_group(std::span<const LaneContact> contacts, LaneOutcome& outcome,
@@ -148,18 +157,25 @@ void for_each_group(std::span<const LaneContact> contacts, LaneOutcome& outcome,
             if (computed.is_done[l] == 0) continue;
             outcome.done |= std::uint64_t{1} << (first + l);
             outcome.overlap[first + l] = computed.contact.overlap[l];
-            store(computed.contact, now, l, *group[l]);
+            store(computed, now, l, *group[l]);
         }
     }
 }
 
 // ---- The kernels.
 
+Real size_i(const Group& group, double LaneKind::*size) {
+    return each(group, [&](const auto& c) { return c.kind_i->*size; });
+}
+Real size_j(const Group& group, double LaneKind::*size) {
+    return each(group, [&](const auto& c) { return c.kind_j->*size; });
+}
+
 void spheres(std::span<const LaneContact> contacts, double dt, LaneOutcome& outcome) {
     for_each_group(contacts, outcome, [&](const Group& group, LaneHistory<Real>& now) -> Computed {
         const LanePair<Real> state = pair(group);
-        const Real radius_i = each(group, [](const auto& c) { return c.kind_i->bounding_radius; });
-        const Real radius_j = each(group, [](const auto& c) { return c.kind_j->bounding_radius; });
+        const Real radius_i = size_i(group, &LaneKind::radius);
+        const Real radius_j = size_j(group, &LaneKind::radius);
         const Real distance2 = state.displacement.squaredNorm();
         const Mask touches = distance2 < square(Real(radius_i + radius_j));
         return {touches, sphere_force<Partner::sphere>(
@@ -168,8 +184,40 @@ void spheres(std::span<const LaneContact> contacts, double dt, LaneOutcome& outc
     });
 }
 
+template <class Field>
+Computed sphere_in(const Field& field, const LanePair<Real>& state, const Group& group, double dt,
+                   LaneHistory<Real>& now) {
+    const Real radius = size_i(group, &LaneKind::radius);
+    const auto here = field.sample(Vector::Zero());
+    const LanePairContact<Real> contact = sphere_force<Partner::wall>(
+        sphere_at_wall(field, here, radius), state, law(group), dt, now);
+    return {touches_wall(field, here, radius), contact, wall_work(state, contact, dt)};
+}
+
+PlaneFieldOf<Real> plane(const LanePair<Real>& state, const Group& group) {
+    return {{0.0}, {state.displacement, state.j.axis}, size_j(group, &LaneKind::radius)};
+}
+
+void sphere_at_plane(std::span<const LaneContact> contacts, double dt, LaneOutcome& outcome) {
+    for_each_group(contacts, outcome, [&](const Group& group, LaneHistory<Real>& now) {
+        const LanePair<Real> state = pair(group);
+        return sphere_in(plane(state, group), state, group, dt, now);
+    });
+}
+
+void sphere_in_tube(std::span<const LaneContact> contacts, double dt, LaneOutcome& outcome) {
+    for_each_group(contacts, outcome, [&](const Group& group, LaneHistory<Real>& now) {
+        const LanePair<Real> state = pair(group);
+        const TubeFieldOf<Real> tube{{0.0},
+                                     {state.displacement, state.j.axis},
+                                     size_j(group, &LaneKind::radius),
+                                     size_j(group, &LaneKind::length)};
+        return sphere_in(tube, state, group, dt, now);
+    });
+}
+
 struct Bounds {
-    Real shortest_radius, ball_slope, inner_radius;
+    Real longest_radius, shortest_radius, ball_slope, inner_radius;
 };
 
 /// SrSupport in each lane.
@@ -203,8 +251,8 @@ struct Support {
         const auto of = [&](double SupportBounds::*bound) {
             return each(group, [&](const auto& c) { return (c.*kind)->support->bounds.*bound; });
         };
-        return {of(&SupportBounds::shortest_radius), of(&SupportBounds::ball_slope),
-                of(&SupportBounds::inner_radius)};
+        return {of(&SupportBounds::longest_radius), of(&SupportBounds::shortest_radius),
+                of(&SupportBounds::ball_slope), of(&SupportBounds::inner_radius)};
     }
 };
 
@@ -221,27 +269,71 @@ void smooth(std::span<const LaneContact> contacts, double dt, LaneOutcome& outco
         const LaneLaw<Real> laws = law(group);
         const Support i{group, &LaneContact::kind_i, state.i.axis};
         const Support j{group, &LaneContact::kind_j, state.j.axis};
-        const auto sizes = [&](double LaneKind::*size) {
-            return std::array{each(group, [&](const auto& c) { return c.kind_i->*size; }),
-                              each(group, [&](const auto& c) { return c.kind_j->*size; })};
-        };
         const Vector& d = state.displacement;
         const Real distance = d.norm();
-        const auto bounding = sizes(&LaneKind::bounding_radius);
-
+        const Real reach = size_i(group, &LaneKind::radius) + size_j(group, &LaneKind::radius);
         const NormalStepOf<Real> step = followed_step<Real>(i, j, d, distance, -now.normal);
         const NormalProbeOf<Real>& p = step.from;
         const CommonNormalOf<Real> at = extrapolated(p, step.step.turn, d);
-        Mask is_done = both(no(distance > bounding[0] + bounding[1]), step.is_close);
+        Mask is_done = both(no(distance > reach), step.is_close);
         is_done = both(both(is_done, at.f > 0.0), is_least(p, i, j, d));
         if (!any(is_done)) return {is_done, LanePairContact<Real>{}};
 
         Real radius{};
         if (any(needs_local_radius(laws, now))) {
-            const auto d_eq = sizes(&LaneKind::equivalent_diameter);
-            radius = contact_radius(laws, i(at.n), d_eq[0], j(-at.n), d_eq[1]);
+            radius = contact_radius(laws, i(at.n), size_i(group, &LaneKind::equivalent_diameter),
+                                    j(-at.n), size_j(group, &LaneKind::equivalent_diameter));
         }
         return {is_done, force_at(at, radius, state, laws, dt, now)};
+    });
+}
+
+/// Force of a wall on a surface of revolution at a place near that of a sample.
+Computed smooth_at_wall(const CommonNormalOf<Real>& at, const SupportSampleOf<Real>& sample,
+                        const LanePair<Real>& state, const Group& group, double dt,
+                        LaneHistory<Real>& now) {
+    const LaneLaw<Real> laws = law(group);
+    Real radius{};
+    if (any(needs_local_radius(laws, now)))
+        radius = contact_radius(laws, sample, size_i(group, &LaneKind::equivalent_diameter));
+    const LanePairContact<Real> contact = force_at(at, radius, state, laws, dt, now);
+    return {at.f > 0.0, contact, wall_work(state, contact, dt)};
+}
+
+void smooth_at_plane(std::span<const LaneContact> contacts, double dt, LaneOutcome& outcome) {
+    for_each_group(contacts, outcome, [&](const Group& group, LaneHistory<Real>& now) {
+        const LanePair<Real> state = pair(group);
+        const Support body{group, &LaneContact::kind_i, state.i.axis};
+        const Vector& n = state.j.axis;
+        const Real height = -state.displacement.dot(n);
+        const Real size = size_i(group, &LaneKind::radius);
+        const auto [at, sample] = place_at_plane<Real>(body, n, height);
+        const Vector spin = dt * (state.i.angular_velocity - state.j.angular_velocity);
+        const PlaneSwing<Real> swing = plane_swing<Real>(body.axis, n, spin);
+        const PlaneFieldOf<Real> field = plane(state, group);
+        const Mask acts =
+            both(field.accepts(sample.point(-n)), no(field.lets_pass(Vector::Zero())));
+        const Mask stays = both(no(height > size), stays_near(sample, swing, size));
+        Computed computed = smooth_at_wall(at, sample, state, group, dt, now);
+        computed.is_done = both(computed.is_done, both(acts, stays));
+        return computed;
+    });
+}
+
+void smooth_in_tube(std::span<const LaneContact> contacts, double dt, LaneOutcome& outcome) {
+    for_each_group(contacts, outcome, [&](const Group& group, LaneHistory<Real>& now) -> Computed {
+        const LanePair<Real> state = pair(group);
+        const Support body{group, &LaneContact::kind_i, state.i.axis};
+        const TubePoseOf<Real> pose{state.j.axis, -state.displacement,
+                                    size_j(group, &LaneKind::radius),
+                                    size_i(group, &LaneKind::radius)};
+        const TubePlaceOf<Real> place = followed_place<Real>(body, pose, now.normal);
+        const Mask is_done =
+            both(place.is_only, side_reaches(size_j(group, &LaneKind::length), place.z));
+        if (!any(is_done)) return {is_done, LanePairContact<Real>{}};
+        Computed computed = smooth_at_wall(place.at, place.support, state, group, dt, now);
+        computed.is_done = is_done;
+        return computed;
     });
 }
 
@@ -250,7 +342,9 @@ void smooth(std::span<const LaneContact> contacts, double dt, LaneOutcome& outco
 #define DEM_JOINED(a, b) a##b
 #define DEM_NAME(name, width) DEM_JOINED(name, width)
 const LaneKernels& DEM_NAME(lane_kernels_, DEM_LANE_WIDTH)() {
-    static const LaneKernels kernels{DEM_LANE_WIDTH, spheres, smooth};
+    static const LaneKernels kernels{DEM_LANE_WIDTH,  spheres,        smooth,
+                                     sphere_at_plane, sphere_in_tube, smooth_at_plane,
+                                     smooth_in_tube};
     return kernels;
 }
 

@@ -205,7 +205,7 @@ PairContact at_rod(const ConvexShape& a, const CylinderWall& wall, const CoreCal
 PairContact collide(const ConvexShape& a, const PlaneWall& wall, const CoreCall& call) {
     const PairState& pair = call.pair;
     ConvexHistory& history = call.memory.history;
-    const PlaneField plane{{0.0}, {pair.displacement, body_axis(pair.j.orientation)}, wall};
+    const PlaneField plane{{0.0}, {pair.displacement, body_axis(pair.j.orientation)}, wall.radius};
     const double height = plane.distance(Vec3::Zero());
     if (height > a.bounding_radius) return apart(call, height - a.bounding_radius);
     if (plane.lets_pass(Vec3::Zero())) return apart(call, -height);

@@ -94,7 +94,7 @@ PairContact collide(const SrShape& a, const PlaneWall& wall, const SmoothCall& c
     const Vec3 spin = call.dt * (pair.i.angular_velocity - pair.j.angular_velocity);
     const PlaneSwing<double> swing = plane_swing<double>(support.axis, n, spin);
     const std::optional<Vec3> mean = mean_place(support, s, n, swing, a.bounding_radius);
-    const PlaneField field{{0.0}, {pair.displacement, n}, wall};
+    const PlaneField field{{0.0}, {pair.displacement, n}, wall.radius};
     if (!field.accepts(mean ? *mean : s.point(-n)) || field.lets_pass(Vec3::Zero()))
         return apart(call, 0.0);
     const double radius = radius_at(s, a, call.law, history);

@@ -5,6 +5,14 @@
 
 namespace dem::runtime {
 
+/// Whether a side from z = 0 to `length`, perhaps infinite, is there at a height [m].
+template <class Real>
+MaskOf<Real> side_reaches(const Real& length, const Real& z) {
+    const MaskOf<Real> is_endless = no(length < std::numeric_limits<double>::infinity());
+    if (all(is_endless)) return is_endless;
+    return either(is_endless, both(z >= 0.0, z <= length));
+}
+
 /// The side of a cylinder about the wall's z axis from z = 0 to z = length (infinite: both ways
 /// without end). `inside`: bodies are kept within; otherwise the cylinder is a solid rod with flat
 /// ends. An open end of a finite inside cylinder is a rim: bodies whose contact point lies beyond
@@ -23,7 +31,7 @@ struct CylinderWall {
         return is_endless() ? -std::numeric_limits<double>::infinity() : std::max(-z, z - length);
     }
     /// Whether the side is there at a height.
-    bool reaches(double z) const { return is_endless() || (z >= 0.0 && z <= length); }
+    bool reaches(double z) const { return side_reaches(length, z); }
 
     template <class Use>
     auto with_field(const WallFrame& frame, double slack, const Use& use) const;
@@ -44,26 +52,32 @@ struct CylinderWall {
 };
 
 /// The inside of a tube: distance from its side, positive within.
-struct TubeField : ExactField {
+template <class Real>
+struct TubeFieldOf : ExactField {
     struct Sample {
-        double distance;
+        Real distance;
     };
 
-    WallFrame frame;
-    CylinderWall wall;
+    WallFrameOf<Real> frame;
+    Real radius, length;  ///< as in CylinderWall [m]
 
-    Sample sample(const Vec3& x) const { return {wall.radius - frame.at(x).r}; }
-    Vec3 gradient(const Vec3& x, const Sample& /*s*/) const { return -frame.at(x).radial; }
-    bool accepts(const Vec3& x) const {
-        return wall.is_endless() || wall.reaches((x - frame.origin).dot(frame.axis));
+    Sample sample(const Vec3Of<Real>& x) const { return {radius - frame.at(x).r}; }
+    Vec3Of<Real> gradient(const Vec3Of<Real>& x, const Sample& /*s*/) const {
+        return -frame.at(x).radial;
     }
-    double clearance(const Vec3& x) const {
-        const AxialPoint p = frame.at(x);
-        const double inwards = wall.radius - p.r;
-        const double beyond = wall.beyond_end(p.z);
+    MaskOf<Real> accepts(const Vec3Of<Real>& x) const {
+        return side_reaches<Real>(length, (x - frame.origin).dot(frame.axis));
+    }
+    /// None.
+    static MaskOf<Real> lets_pass(const Vec3Of<Real>& /*center*/) { return Real{} > 0.0; }
+    Real clearance(const Vec3Of<Real>& x) const {
+        const AxialPointOf<Real> p = frame.at(x);
+        const Real inwards = radius - p.r;
+        const Real beyond = CylinderWall{radius, length}.beyond_end(p.z);
         return beyond > 0.0 ? math::hypot(std::max(0.0, inwards), beyond) : inwards;
     }
 };
+using TubeField = TubeFieldOf<double>;
 
 /// A solid rod with flat ends: positive outside.
 struct RodField : ExactField {
@@ -100,7 +114,8 @@ struct RodField : ExactField {
 
 template <class Use>
 auto CylinderWall::with_field(const WallFrame& frame, double slack, const Use& use) const {
-    return inside ? use(TubeField{{slack}, frame, *this}) : use(RodField{{slack}, frame, *this});
+    return inside ? use(TubeField{{slack}, frame, radius, length})
+                  : use(RodField{{slack}, frame, *this});
 }
 
 }  // namespace dem::runtime

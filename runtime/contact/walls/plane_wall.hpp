@@ -29,33 +29,42 @@ struct PlaneWall {
 };
 
 /// A plane or a disc, positive in front of it.
-struct PlaneField : ExactField {
+template <class Real>
+struct PlaneFieldOf : ExactField {
     struct Sample {
-        double distance;
+        Real distance;
     };
 
-    WallFrame frame;
-    PlaneWall wall;
+    WallFrameOf<Real> frame;
+    Real radius;  ///< of the disc, or infinite [m]
 
-    double distance(const Vec3& x) const { return (x - frame.origin).dot(frame.axis); }
-    Sample sample(const Vec3& x) const { return {distance(x)}; }
-    Vec3 gradient(const Vec3& /*x*/, const Sample& /*s*/) const { return frame.axis; }
-    bool accepts(const Vec3& x) const {
-        return !wall.is_disc() ||
-               (x - frame.origin).cross(frame.axis).squaredNorm() <= square(wall.radius);
+    MaskOf<Real> is_disc() const { return radius < std::numeric_limits<double>::infinity(); }
+    Real distance(const Vec3Of<Real>& x) const { return (x - frame.origin).dot(frame.axis); }
+    Sample sample(const Vec3Of<Real>& x) const { return {distance(x)}; }
+    Vec3Of<Real> gradient(const Vec3Of<Real>& /*x*/, const Sample& /*s*/) const {
+        return frame.axis;
     }
-    bool lets_pass(const Vec3& center) const { return wall.is_disc() && distance(center) < 0.0; }
+    MaskOf<Real> accepts(const Vec3Of<Real>& x) const {
+        const MaskOf<Real> is_plane = no(is_disc());
+        if (all(is_plane)) return is_plane;
+        const Real distance2 = (x - frame.origin).cross(frame.axis).squaredNorm();
+        return either(is_plane, distance2 <= square(radius));
+    }
+    MaskOf<Real> lets_pass(const Vec3Of<Real>& center) const {
+        return both(is_disc(), distance(center) < 0.0);
+    }
     /// Bodies behind a disc are let through until their center is in front: both sides count.
-    double clearance(const Vec3& x) const {
-        if (!wall.is_disc()) return distance(x);
-        const AxialPoint p = frame.at(x);
-        return math::hypot(std::max(0.0, p.r - wall.radius), p.z);
+    Real clearance(const Vec3Of<Real>& x) const {
+        if (!is_disc()) return distance(x);
+        const AxialPointOf<Real> p = frame.at(x);
+        return math::hypot(std::max(0.0, p.r - radius), p.z);
     }
 };
+using PlaneField = PlaneFieldOf<double>;
 
 template <class Use>
 auto PlaneWall::with_field(const WallFrame& frame, double slack, const Use& use) const {
-    return use(PlaneField{{slack}, frame, *this});
+    return use(PlaneField{{slack}, frame, radius});
 }
 
 }  // namespace dem::runtime

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/math/elementary.hpp"
+#include "common/math/lanes.hpp"
 #include "runtime/contact/contact_types.hpp"
 
 #include <algorithm>
@@ -12,26 +13,34 @@
 namespace dem::runtime {
 
 /// A point relative to a wall's origin, in cylinder coordinates about the wall's z axis.
-struct AxialPoint {
-    double z;     ///< along the axis [m]
-    double r;     ///< from the axis [m]
-    Vec3 radial;  ///< unit, away from the axis; zero on it
+template <class Real>
+struct AxialPointOf {
+    Real z;               ///< along the axis [m]
+    Real r;               ///< from the axis [m]
+    Vec3Of<Real> radial;  ///< unit, away from the axis; zero on it
 };
+using AxialPoint = AxialPointOf<double>;
 
-inline AxialPoint axial_point(const Vec3& x, const Vec3& axis) {
-    const double z = x.dot(axis);
-    const Vec3 across = x - z * axis;
-    const double r = across.norm();
-    return {z, r, r > 0.0 ? Vec3(across / r) : Vec3::Zero()};
+template <class Real = double>
+AxialPointOf<Real> axial_point(const Vec3Of<Real>& x, const Vec3Of<Real>& axis) {
+    using Vector = Vec3Of<Real>;
+    const Real z = x.dot(axis);
+    const Vector across = x - z * axis;
+    const Real r = across.norm();
+    return {z, r, select(r > 0.0, Vector(across / r), Vector(Vector::Zero()))};
 }
 
 /// A wall's own frame, as seen from the frame of who asks.
-struct WallFrame {
-    Vec3 origin;  ///< [m]
-    Vec3 axis;    ///< unit, the wall's z
+template <class Real>
+struct WallFrameOf {
+    Vec3Of<Real> origin;  ///< [m]
+    Vec3Of<Real> axis;    ///< unit, the wall's z
 
-    AxialPoint at(const Vec3& x) const { return axial_point(x - origin, axis); }
+    AxialPointOf<Real> at(const Vec3Of<Real>& x) const {
+        return axial_point<Real>(x - origin, axis);
+    }
 };
+using WallFrame = WallFrameOf<double>;
 
 /// Angle by which the surface of a body of revolution turns from one orientation to another [rad]:
 /// a turn about its own axis moves none of it.

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/contact/lanes/lane_kernels.hpp"
 
-#include "common/random.hpp"
-#include "runtime/contact/law/pair_law.hpp"
 #include "runtime/contact/pairs/sphere_sphere.hpp"
 #include "runtime/contact/pairs/sr_sr_continuous.hpp"
-#include "tests/runtime/contact/convex_shapes.hpp"
+#include "tests/runtime/contact/lanes/lane_contacts.hpp"
 
 #include <cstring>
 #include <vector>
@@ -19,37 +17,6 @@ namespace dem::test {
 using namespace runtime;
 
 namespace {
-
-template <class Shape>
-struct LaneTestBody {
-    Shape shape;
-    InverseInertia inertia;
-    LaneKind kind;
-};
-
-LaneTestBody<Sphere> body(double radius) {
-    const double mass = 1200.0 * 4.0 / 3.0 * pi * cube(radius);
-    InverseInertia inertia;
-    inertia.mass = 1.0 / mass;
-    inertia.moments = Vec3::Constant(2.5 / (mass * square(radius)));
-    inertia.surface = square(radius) * inertia.moments.x();
-    return {{radius},
-            inertia,
-            {inertia.mass, inertia.moments.x(), inertia.surface, radius, 0.0, nullptr}};
-}
-
-LaneTestBody<SrShape> body(const SolidBody& solid) {
-    LaneTestBody<SrShape> b{solid.shape, solid.inverse(1200.0), {}};
-    b.kind = {b.inertia.mass,          b.inertia.moments.x(),       b.inertia.surface,
-              b.shape.bounding_radius, b.shape.equivalent_diameter, nullptr};
-    return b;
-}
-
-LaneRow row(const Vec3& position, const BodyState& state) {
-    const auto plain = [](const Vec3& v) { return std::array{v.x(), v.y(), v.z()}; };
-    return {plain(position), plain(body_axis(state.orientation)), plain(state.velocity),
-            plain(state.angular_velocity)};
-}
 
 template <class Shape, class Cache>
 struct Encounter {
@@ -85,7 +52,7 @@ Encounter<Shape, Cache> encounter(const std::vector<LaneTestBody<Shape>>& bodies
     const Vec3 direction = random.direction();
     const double depth = random.uniform(1e-6, 1e-4);
     // Down to where they touch, then a little farther.
-    double far = e.a->kind.bounding_radius + e.b->kind.bounding_radius;
+    double far = e.a->kind.radius + e.b->kind.radius;
     double near = 0.0;
     for (int k = 0; k < 40; ++k) {
         const double middle = 0.5 * (far + near);
@@ -100,23 +67,6 @@ Encounter<Shape, Cache> encounter(const std::vector<LaneTestBody<Shape>>& bodies
     e.pair.displacement = (near - depth) * direction;
     return e;
 }
-
-void move(PairState& pair, double dt) {
-    pair.displacement += dt * (pair.j.velocity - pair.i.velocity);
-    for (BodyState* b : {&pair.i, &pair.j})
-        b->orientation = Quat(
-            Eigen::AngleAxisd(dt * b->angular_velocity.norm(), b->angular_velocity.normalized()) *
-            b->orientation);
-}
-
-bool same(const StoredVec3& a, const Vec3& b) {
-    return Vec3(a) == b;
-}
-
-struct Count {
-    int in_lanes = 0;
-    int rare = 0;
-};
 
 /// Steps of many encounters at once, by collide() and by the kernel from the same state.
 template <class Cache, class Shape>
@@ -137,7 +87,8 @@ Count compare(const std::vector<LaneTestBody<Shape>>& bodies, const ContactLaw& 
             e.i = row(Vec3::Zero(), e.pair.i);
             e.j = row(e.pair.displacement, e.pair.j);
             if (!e.history.touched()) continue;
-            contacts.push_back({&e.i, &e.j, &e.a->kind, &e.b->kind, &law, &e.history, &e.result});
+            contacts.push_back(
+                {&e.i, &e.j, &e.a->kind, &e.b->kind, &law, &e.history, &e.history, &e.result});
             of.push_back(n);
             before.push_back(e.history);
         }
@@ -152,13 +103,7 @@ Count compare(const std::vector<LaneTestBody<Shape>>& bodies, const ContactLaw& 
                 collide(e.a->shape, e.b->shape, Call{e.pair, law, dt, Memory{history, e.cache}});
             if (in_lane && (outcome.done >> next & 1) != 0) {
                 ++count.in_lanes;
-                EXPECT_TRUE(c.touches());
-                EXPECT_TRUE(same(e.result.force, c.force) && same(e.result.torque_i, c.torque_i) &&
-                            same(e.result.torque_j, c.torque_j))
-                    << Vec3(e.result.force).transpose() << " but " << c.force.transpose();
-                EXPECT_EQ(e.result.elastic_energy, c.elastic_energy);
-                EXPECT_EQ(e.result.dissipated_energy, c.dissipated_energy);
-                EXPECT_EQ(outcome.overlap[next], c.overlap);
+                expect_same(e.result, outcome.overlap[next], c);
                 EXPECT_EQ(std::memcmp(&history, &e.history, sizeof history), 0);
             } else if (in_lane) {
                 ++count.rare;
@@ -170,26 +115,6 @@ Count compare(const std::vector<LaneTestBody<Shape>>& bodies, const ContactLaw& 
         }
     }
     return count;
-}
-
-std::vector<ContactLaw> laws() {
-    std::vector<ContactLaw> all;
-    ContactLaw options;
-    options.friction = 0.3;
-    const auto hertz = [&] { all.push_back(pair_law({5e7, 0.3}, {5e7, 0.3}, 0.6, options)); };
-    hertz();
-    options.tangential = ContactLaw::Tangential::ratio;
-    options.damping_mass = ContactLaw::DampingMass::reduced;
-    hertz();
-    options.limit_force = true;
-    options.geometry.radius = ContactLaw::Radius::local;
-    hertz();
-    options.geometry.radius = ContactLaw::Radius::equivalent;
-    hertz();
-    options = {};
-    options.friction = 0.05;
-    all.push_back(linear_law(2e4, 0.6, 0.5, options));
-    return all;
 }
 
 class LaneKernelsTest : public testing::TestWithParam<int> {

@@ -7,6 +7,7 @@
 #include "tests/runtime/contact/cores/convex_poses.hpp"
 #include "tests/support/sample_convex.hpp"
 
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -23,6 +24,7 @@ struct BallField : SphereField {
 };
 
 const Vec3 axis = Vec3::UnitZ();
+constexpr double endless = std::numeric_limits<double>::infinity();
 
 /// Calls look(name, core) with every solid in many attitudes, a good way off the z axis.
 template <class Look>
@@ -45,7 +47,7 @@ double lowest_distance(const PlacedCore& core, const Field& field) {
 TEST(ConvexInField, TheLowestPointAtAPlaneIsTheSupport) {
     for_cores([](const std::string& name, const PlacedCore& core) {
         const Vec3 n = Vec3(1.0, 2.0, 3.0).normalized();
-        const PlaneField plane{{0.0}, {Vec3::Zero(), n}, PlaneWall{}};
+        const PlaneField plane{{0.0}, {Vec3::Zero(), n}, endless};
         const double support = core.support(-n, 0).position.dot(n);
         EXPECT_NEAR(lowest_distance(core, plane), support, 1e-12) << name;
     });
@@ -69,7 +71,7 @@ TEST(ConvexInField, TheLowestPointAtARodIsTheNearestOfTwoCores) {
 
 TEST(ConvexInField, TheLowestPointInATubeIsTheFarthestFromItsAxis) {
     for_cores([](const std::string& name, const PlacedCore& core) {
-        const TubeField tube{{0.0}, {Vec3::Zero(), axis}, CylinderWall{.radius = 6.0}};
+        const TubeField tube{{0.0}, {Vec3::Zero(), axis}, 6.0, endless};
         double farthest = 0.0;
         constexpr int directions = 4000;
         for (int k = 0; k < directions; ++k) {
@@ -172,7 +174,7 @@ TEST(ConvexInField, ForceAndTorqueAreTheGradientOfTheStoredEnergyAtARod) {
 TEST(ConvexInField, ForceAndTorqueAreTheGradientOfTheStoredEnergyInATube) {
     expect_potential(
         [](const WallFrame& f) {
-            return TubeField{{0.0}, f, CylinderWall{.radius = 5.0}};
+            return TubeField{{0.0}, f, 5.0, endless};
         },
         5.0, true);
 }
