@@ -38,11 +38,21 @@ Vector each_vector(const Group& group, const Of& of) {
             each(group, [&](const LaneContact& c) { return of(c)[2]; })};
 }
 
+/// A quantity of what all contacts point at, mostly one for all of them.
+template <class Pointed>
+Real each(const Group& group, const Pointed* LaneContact::*what, double Pointed::*quantity) {
+    const Pointed* const first = group[0]->*what;
+    bool is_one = true;
+    for (const LaneContact* c : group) is_one = is_one && c->*what == first;
+    if (is_one) return in_all<Real>(first->*quantity);
+    return each(group, [&](const LaneContact& c) { return (c.*what)->*quantity; });
+}
+
 LaneInertia<Real> inertia(const Group& group, const LaneKind* LaneContact::*kind) {
-    const Real moment = each(group, [&](const auto& c) { return (c.*kind)->inverse_moment; });
-    return {each(group, [&](const auto& c) { return (c.*kind)->inverse_mass; }),
+    const Real moment = each(group, kind, &LaneKind::inverse_moment);
+    return {each(group, kind, &LaneKind::inverse_mass),
             {moment, moment, moment},
-            each(group, [&](const auto& c) { return (c.*kind)->inverse_surface; })};
+            each(group, kind, &LaneKind::inverse_surface)};
 }
 
 LaneBody<Real> body(const Group& group, const LaneRow* LaneContact::*row,
@@ -89,7 +99,7 @@ LaneHistory<Real> history(const Group& group) {
 LaneLaw<Real> law(const Group& group) {
     const ContactLaw& first = *group[0]->law;
     const auto of = [&](double ContactLaw::*quantity) {
-        return each(group, [&](const auto& c) { return c.law->*quantity; });
+        return each(group, &LaneContact::law, quantity);
     };
     return {first.geometry,
             first.model,
@@ -165,10 +175,10 @@ void for_each_group(std::span<const LaneContact> contacts, LaneOutcome& outcome,
 // ---- The kernels.
 
 Real size_i(const Group& group, double LaneKind::*size) {
-    return each(group, [&](const auto& c) { return c.kind_i->*size; });
+    return each(group, &LaneContact::kind_i, size);
 }
 Real size_j(const Group& group, double LaneKind::*size) {
-    return each(group, [&](const auto& c) { return c.kind_j->*size; });
+    return each(group, &LaneContact::kind_j, size);
 }
 
 void spheres(std::span<const LaneContact> contacts, double dt, LaneOutcome& outcome) {
