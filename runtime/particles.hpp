@@ -10,9 +10,12 @@
 
 namespace dem::runtime {
 
-/// State of every body, one array per quantity, indexed by the particle's id. World frame, SI.
-/// Masses and inertias are those of the body's kind (Scene::kinds).
+/// State of every body, one array per quantity, in the order of ids. World frame, SI. Masses and
+/// inertias are those of the body's kind (Scene::kinds).
 struct Particles {
+    /// How many bodies came before this one: never given twice, whoever left in the meantime.
+    std::vector<std::uint32_t> id;
+    std::uint32_t next_id = 0;
     std::vector<Vec3> position;          ///< of the center of mass [m]
     std::vector<Quat> orientation;       ///< body -> world
     std::vector<Vec3> velocity;          ///< [m/s]
@@ -32,10 +35,13 @@ struct Particles {
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(position.size()); }
 
-    /// Adds one body; its id is the size before. The force starts as zero: who inserts bodies into
-    /// a running simulation lets Simulation set their weight.
+    /// Adds one body. The force starts as zero: who inserts bodies into a running simulation lets
+    /// Simulation set their weight.
     void append(std::uint32_t kind_index, std::uint32_t group_index, const BodyPlacement& placement,
                 const BodyKind& body_kind);
+
+    /// Takes out the bodies that are marked.
+    void remove(std::span<const std::uint8_t> leaving);
 };
 
 }  // namespace dem::runtime

@@ -4,6 +4,8 @@
 #include "common/math/aabb.hpp"
 #include "common/shapes/particle_template.hpp"
 #include "runtime/contact/law/contact_law.hpp"
+#include "runtime/outlets/outlet.hpp"
+#include "runtime/region.hpp"
 #include "runtime/walls/wall.hpp"
 
 #include <cstdint>
@@ -59,15 +61,6 @@ struct BodyPlacement {
     std::uint64_t line = 0;  ///< of the file, for messages
 };
 
-struct BoxRegion {
-    Aabb box;
-};
-struct CylinderRegion {
-    Vec3 from, to;  ///< ends of the axis [m]
-    double radius;  ///< [m]
-};
-using Region = std::variant<BoxRegion, CylinderRegion>;
-
 /// One [particles.NAME] section.
 struct InsertionGroup {
     enum class Mode : std::uint8_t { at_once, batches, lattice, file, fill };
@@ -90,6 +83,9 @@ struct InsertionGroup {
     bool allow_overlaps = false;            ///< file: rows of an earlier run's end touch each other
 };
 
+/// What happens to a body whose center of mass leaves the domain.
+enum class DomainExit : std::uint8_t { error, remove };
+
 struct RunSettings {
     double end_time = 0.0;            ///< [s]
     std::optional<double> time_step;  ///< none: automatic
@@ -102,7 +98,8 @@ struct RunSettings {
     /// In radii of the smaller body: above it contact laws for small overlaps mean nothing, and the
     /// run ends.
     double overlap_limit = 0.1;
-    std::optional<Aabb> domain;  ///< leaving it is an error; none: derived from walls and regions
+    std::optional<Aabb> domain;  ///< none: derived from walls and regions
+    DomainExit domain_exit = DomainExit::error;
     std::optional<double> skin;  ///< neighbor-list skin [m]; none: chosen
     /// For tests: the threads of each step in turn, which share every loop however small. Empty: as
     /// many as make steps shortest (common/threads/step_team.hpp). Never changes a result.
@@ -145,6 +142,7 @@ struct Scene {
     LawTable laws;
     std::vector<Wall> walls;
     std::vector<InsertionGroup> insertions;
+    std::vector<Outlet> outlets;
     OutputSettings output;
     std::vector<MeasureSettings> measures;
     /// Template files as the case names them, hash of what each was made from.

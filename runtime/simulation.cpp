@@ -41,6 +41,7 @@ Simulation::Simulation(Scene scene, double dt)
       integrator_(make_integrator(scene_, surface_reach_)),
       wall_margins_(wall_margins(scene_)),
       inserter_(scene_),
+      outlets_(scene_, domain_),
       walls_(place_walls(scene_.walls)),
       scratch_(make_scratch(scene_, static_cast<std::size_t>(team_.most()))) {
     const StepTeam::Step together(team_);
@@ -67,7 +68,22 @@ void Simulation::step() {
     sum_forces(particles_, lists_, scene_, ledger_);  // 9
     book(scratch_.partings, ledger_);
     correct(particles_, scene_.kinds, integrator_, dt_);  // 10 v(t + dt)
-    insert_due();                                         // 11
+    let_out();                                            // 11
+    insert_due();                                         // 12
+}
+
+void Simulation::let_out() {
+    if (outlets_.is_empty() || !outlets_.look(scene_, particles_)) return;
+    const StepTeam::RarePart rare(team_);
+    const std::span<const std::uint8_t> leaving = outlets_.leaving();
+    for (std::uint32_t i = 0; i < particles_.size(); ++i) {
+        if (leaving[i] != 0) ledger_.removed += mechanical_energy(particles_, scene_, i);
+    }
+    ledger_.removed += remove_bodies(lists_, leaving);
+    particles_.remove(leaving);
+    ledger_.remove(leaving);
+    sum_remaining_forces(particles_, lists_, scene_);
+    outlets_.settle(scene_, particles_);
 }
 
 void Simulation::insert_due() {
@@ -81,6 +97,7 @@ void Simulation::insert_due() {
         particles_.force[i] = scene_.kinds[particles_.kind[i]].mass * scene_.run.gravity;
         inserted_energy_ += mechanical_energy(particles_, scene_, i);
     }
+    outlets_.settle(scene_, particles_);
 }
 
 void Simulation::rebuild_lists() {
@@ -90,13 +107,17 @@ void Simulation::rebuild_lists() {
 }
 
 void Simulation::check_bodies() const {
+    // Who leaves the domain may be let out at the end of the step.
+    const Vec3 farthest = Vec3::Constant(farthest_coordinate);
+    const Aabb room =
+        scene_.run.domain_exit == DomainExit::remove ? Aabb{-farthest, farthest} : domain_;
     const std::uint32_t count = particles_.size();
     std::atomic<bool> all_inside = true;
     share_loop(count, bodies_at_a_time, [&](const LoopPart& part) {
         bool is_inside = true;
         for (std::size_t i = part.begin; i < part.end; ++i) {
             // Both false for NaN, too.
-            is_inside = is_inside && domain_.contains(particles_.position[i]) &&
+            is_inside = is_inside && room.contains(particles_.position[i]) &&
                         particles_.orientation[i].squaredNorm() < 2.0;
         }
         if (!is_inside) all_inside = false;
@@ -104,16 +125,17 @@ void Simulation::check_bodies() const {
     for (std::uint32_t i = 0; i < count && !all_inside; ++i) {
         const Vec3& x = particles_.position[i];
         if (!(particles_.orientation[i].squaredNorm() < 2.0)) {
-            throw Error(here(), "the orientation of particle " + std::to_string(i) +
+            throw Error(here(), "the orientation of particle " + std::to_string(particles_.id[i]) +
                                     " is not a number; its spin may be too large");
         }
-        if (domain_.contains(x)) continue;
+        if (room.contains(x)) continue;
         const std::string at = format("(%.4g %.4g %.4g) m", x.x(), x.y(), x.z());
         if (!x.allFinite()) {
-            throw Error(here(), "particle " + std::to_string(i) + " is at " + at +
+            throw Error(here(), "particle " + std::to_string(particles_.id[i]) + " is at " + at +
                                     ": not a number; the time step may be too large");
         }
-        throw Error(here(), "particle " + std::to_string(i) + " has left the domain at " + at +
+        throw Error(here(), "particle " + std::to_string(particles_.id[i]) +
+                                " has left the domain at " + at +
                                 ", expected walls that hold it or a larger domain");
     }
 }
@@ -123,8 +145,8 @@ void Simulation::check_overlap() const {
     if (relative <= scene_.run.overlap_limit) return;
     const auto [i, j] = largest_overlap_.ids;
     const bool is_wall = largest_overlap_.is_wall;
-    const std::string partner =
-        is_wall ? "wall " + in_quotes(scene_.walls[j].name) : "particle " + std::to_string(j);
+    const std::string partner = is_wall ? "wall " + in_quotes(scene_.walls[j].name)
+                                        : "particle " + std::to_string(particles_.id[j]);
     const auto is_new = [&](std::uint32_t body) {
         const InsertionGroup& group = scene_.insertions[particles_.group[body]];
         return group.allow_overlaps && time() - group.start < 1.5 * dt_;
@@ -143,7 +165,7 @@ void Simulation::check_overlap() const {
                                       : encounter(scene_, kind, particles_.kind[j]),
                               (particles_.velocity[i] - other).norm(), relative, dt_);
     }
-    throw Error(here(), "particle " + std::to_string(i) + " and " + partner +
+    throw Error(here(), "particle " + std::to_string(particles_.id[i]) + " and " + partner +
                             format(" overlap by %.1f %% of the smaller radius, at most %.3g %% "
                                    "expected; ",
                                    100.0 * relative, 100.0 * scene_.run.overlap_limit) +

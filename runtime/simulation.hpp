@@ -8,6 +8,7 @@
 #include "runtime/narrow_phase/force_sum.hpp"
 #include "runtime/narrow_phase/narrow_phase.hpp"
 #include "runtime/narrow_phase/neighbor_lists.hpp"
+#include "runtime/outlets/outlets.hpp"
 #include "runtime/particles.hpp"
 #include "runtime/scene.hpp"
 #include "runtime/walls/moving_walls.hpp"
@@ -45,6 +46,7 @@ class Simulation {
     const NeighborLists& lists() const { return lists_; }
     const EnergyLedger& ledger() const { return ledger_; }
     const Inserter& inserter() const { return inserter_; }
+    const Outlets& outlets() const { return outlets_; }
     const LargestOverlap& largest_overlap() const { return largest_overlap_; }  ///< of this step
     /// Contacts in which the cores of two convex bodies have overlapped, so far.
     std::uint64_t core_overlaps() const { return core_overlaps_; }
@@ -66,6 +68,7 @@ class Simulation {
     template <class Self, class Visit>
     static void visit_state(Self& self, Visit& visit);
     void insert_due();
+    void let_out();
     void rebuild_lists();
     void check_bodies() const;
     void check_overlap() const;
@@ -81,6 +84,7 @@ class Simulation {
     Integrator integrator_;
     std::vector<double> wall_margins_;
     Inserter inserter_;
+    Outlets outlets_;
     Particles particles_;
     MovingWalls walls_;
     NeighborLists lists_;

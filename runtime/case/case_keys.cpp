@@ -64,8 +64,13 @@ constexpr Key run_keys[] = {
     {.name = "domain",
      .type = region,
      .dimension = length,
-     .doc = "a box; a body that leaves it ends the run with an error; default: derived from walls "
-            "and regions"},
+     .doc = "a box that no center of mass may leave; default: derived from walls and regions"},
+    {.name = "domain_exit",
+     .type = choice,
+     .standard = "error",
+     .words = "error remove",
+     .doc = "a body that leaves the domain ends the run with an error, or is taken out and counted "
+            "(`domain_bodies` in `history.csv`)"},
     {.name = "skin",
      .dimension = length,
      .range = positive,
@@ -399,6 +404,30 @@ constexpr Key wall_keys[] = {
      .doc = "the wall stays where it is after"},
 };
 
+constexpr Key outlet_keys[] = {
+    {.name = "kind",
+     .type = choice,
+     .standard = "remove",
+     .words = "remove flow",
+     .doc = "`remove`: takes out the bodies whose centers of mass get there; `flow`: counts those "
+            "that pass a plane"},
+    {.name = "region",
+     .type = region,
+     .dimension = length,
+     .when = "kind=remove",
+     .doc = "where bodies are taken out; this or a plane"},
+    {.name = "point", .type = vector, .dimension = length, .doc = "a point of the plane"},
+    {.name = "normal",
+     .type = vector,
+     .doc = "of the plane, any length; `remove`: what lies behind it, on the other side, is taken "
+            "out; `flow`: bodies that pass along it count, those that come back are subtracted"},
+    {.name = "radius",
+     .dimension = length,
+     .range = positive,
+     .when = "kind=flow",
+     .doc = "of a disc around `point`, the rest of the plane does not count; default: all of it"},
+};
+
 constexpr Key output_keys[] = {
     {.name = "frames_every",
      .dimension = time,
@@ -470,6 +499,8 @@ constexpr SectionKind kinds[] = {
     {"particles.NAME", particles_keys,
      "One per group of bodies, inserted in the order of the file."},
     {"wall.NAME", wall_keys, "One per wall."},
+    {"outlet.NAME", outlet_keys,
+     "One per outlet; its columns in `history.csv` begin with its name (docs/output-files.md)."},
     {"output", output_keys, "At most one."},
     {"measure.NAME", measure_keys,
      "One per measure; its columns in `history.csv` begin with its name (docs/time-loop.md, "

@@ -77,6 +77,32 @@ void check_digits(const Scene& scene, const InsertionGroup& group) {
     }
 }
 
+/// Bodies that go out as they come in are a mistake; a name that the columns of two outlets would
+/// share, too.
+void check_outlet(const Outlet& outlet, const Scene& scene) {
+    if (outlet.name == "domain" && scene.run.domain_exit == DomainExit::remove) {
+        throw Error(
+            outlet.where,
+            "found the name 'domain', which domain_exit = remove takes for its own columns, "
+            "expected another one");
+    }
+    if (outlet.kind == Outlet::Kind::flow) return;
+    for (const InsertionGroup& group : scene.insertions) {
+        const bool takes_new =
+            group.mode == InsertionGroup::Mode::file
+                ? std::any_of(group.placements.begin(), group.placements.end(),
+                              [&](const BodyPlacement& body) {
+                                  return holds(outlet, body.position) &&
+                                         scene.kinds[body.kind].inverse_inertia.mass > 0.0;
+                              })
+                : may_hold(outlet, group.region);
+        if (!takes_new) continue;
+        throw Error(outlet.where, "[outlet." + outlet.name +
+                                      "] takes out bodies where [particles." + group.name +
+                                      "] puts them in, expected them apart");
+    }
+}
+
 }  // namespace
 
 std::string own_name(const std::string& section) {
@@ -96,6 +122,8 @@ Scene read_scene(const CaseFile& file) {
     ParticleGroupReader groups(std::filesystem::path(file.path).parent_path());
     for_each(file, "particles.NAME", [&](const Values& v) { groups.read(v, scene); });
     for_each(file, "wall.NAME", [&](const Values& v) { read_wall(v, scene); });
+    for_each(file, "outlet.NAME",
+             [&](const Values& v) { scene.outlets.push_back(read_outlet(v)); });
     read_laws(file, scene);
     const CaseSection nothing{"output", file.path, {}};
     scene.output = read_output(Values(nothing, *section_kind("output")), scene.run);
@@ -107,6 +135,7 @@ Scene read_scene(const CaseFile& file) {
         if (group.mode != InsertionGroup::Mode::file)
             check_region(group, scene.walls, scene.run.domain);
     }
+    for (const Outlet& outlet : scene.outlets) check_outlet(outlet, scene);
     scene.case_lines = case_lines(file);
     return scene;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// [run], [material.NAME], [output] and [measure.NAME]: sections that stand for themselves.
+// [run], [material.NAME], [outlet.NAME], [output] and [measure.NAME]: sections that stand for
+// themselves.
 #include "common/error.hpp"
 #include "common/text.hpp"
 #include "runtime/case/scene_sections.hpp"
@@ -18,6 +19,7 @@ RunSettings read_run(const Values& values) {
     run.stop_at_rest = values.word("stop") == "at_rest";
     run.overlap_limit = values.number("overlap_limit");
     run.skin = values.optional_number("skin");
+    run.domain_exit = values.choice<DomainExit>("domain_exit");
     if (run.time_step && *run.time_step > run.end_time) {
         throw Error(values.where("time_step"),
                     "found " + in_quotes(values.text("time_step")) +
@@ -50,6 +52,36 @@ Material read_material(const Values& values) {
         has_shear ? 2.0 * values.number("shear_modulus") * (1.0 + material.poissons_ratio)
                   : values.number("youngs_modulus");
     return material;
+}
+
+Outlet read_outlet(const Values& values) {
+    Outlet outlet;
+    outlet.name = own_name(values.section_name());
+    outlet.where = values.section_where();
+    outlet.kind = values.choice<Outlet::Kind>("kind");
+    const bool has_region = outlet.kind == Outlet::Kind::remove && values.has("region");
+    if (has_region) {
+        for (const char* key : {"point", "normal"}) {
+            if (!values.has(key)) continue;
+            throw Error(values.where(key), "found a plane beside 'region' in [" +
+                                               values.section_name() + "], expected one of them");
+        }
+        const Region region = values.region("region");
+        std::visit([&](const auto& place) { outlet.place = place; }, region);
+        return outlet;
+    }
+    for (const char* key : {"point", "normal"}) {
+        if (values.has(key)) continue;
+        throw Error(
+            values.section_where(),
+            "no " + in_quotes(key) + " in [" + values.section_name() + "], expected " +
+                (outlet.kind == Outlet::Kind::remove ? "a plane (point and normal) or a region"
+                                                     : "a plane (point and normal)"));
+    }
+    outlet.place = HalfSpace{values.vector("point"), values.direction("normal")};
+    if (outlet.kind == Outlet::Kind::flow)
+        outlet.radius = values.optional_number("radius").value_or(outlet.radius);
+    return outlet;
 }
 
 // Ten million frames would be terabytes of a small bed.

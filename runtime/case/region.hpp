@@ -8,12 +8,6 @@
 
 namespace dem::runtime {
 
-double volume(const Region& region);  ///< [m^3]
-Aabb bounds(const Region& region);    ///< [m]
-
-/// Largest n . x over the region, n a unit vector [m].
-double support(const Region& region, const Vec3& n);
-
 /// Throws Error at the group's line when its region reaches behind a plane, a disc it stands in
 /// front of, or the inside of a cylinder, where they are at the start of the insertion. Rods may
 /// stand in a region. Likewise when it reaches out of the domain that the case gives.

@@ -13,7 +13,7 @@
 #include <vector>
 
 /// The parts of read_scene, one per sort of section; each adds to the scene what its section says.
-/// Order: run, materials, particles, walls, laws, output, measures.
+/// Order: run, materials, particles, walls, outlets, laws, output, measures.
 namespace dem::runtime {
 
 RunSettings read_run(const Values& values);
@@ -44,6 +44,7 @@ void read_wall(const Values& values, Scene& scene);
 /// Laws of all pairs of materials, from [contact] and the [contact.A.B] that change it.
 void read_laws(const CaseFile& file, Scene& scene);
 
+Outlet read_outlet(const Values& values);
 OutputSettings read_output(const Values& values, const RunSettings& run);
 MeasureSettings read_measure(const Values& values);
 

@@ -90,6 +90,18 @@ void describe(const Scene& scene, const InsertionGroup& group, std::ostringstrea
     out << "\n";
 }
 
+/// "outlets: gate (counts), drain (takes out)"; nothing without any.
+std::string outlet_text(const Scene& scene) {
+    std::string text;
+    const auto add = [&](const std::string& name, const char* does) {
+        text += (text.empty() ? "outlets: " : ", ") + name + does;
+    };
+    for (const Outlet& outlet : scene.outlets)
+        add(outlet.name, outlet.kind == Outlet::Kind::flow ? " (counts)" : " (takes out)");
+    if (scene.run.domain_exit == DomainExit::remove) add("domain", " (takes out who leaves it)");
+    return text.empty() ? text : text + "\n";
+}
+
 std::string origin(const TimeStep& step, const std::vector<Wall>& walls) {
     std::ostringstream speed;
     speed << step.largest_speed << " m/s";
@@ -152,7 +164,7 @@ std::string check_scene(const Scene& scene, std::optional<double> resumed_at) {
     for (std::size_t w = 0; w < scene.walls.size(); ++w) {
         out << (w == 0 ? " (" : ", ") << scene.walls[w].name;
     }
-    out << (scene.walls.empty() ? "\n" : ")\n") << law_text(scene);
+    out << (scene.walls.empty() ? "\n" : ")\n") << outlet_text(scene) << law_text(scene);
     describe(step, scene, out);
     out << foreseen_overlap(scene) << "steps: ";
     const std::uint64_t steps = step_count(scene.run, step.value, scene.case_path);

@@ -67,7 +67,7 @@ void save_checkpoint(const std::filesystem::path& path, const Simulation& simula
     StateWriter writer;
     writer("case", text_of(simulation.scene().case_lines));
     writer("time_step", simulation.time_step());
-    writer("outputs", outputs);
+    OutputProgress::visit_state(outputs, writer);
     AtRest::visit_state(at_rest, writer);
     simulation.save(writer);
     write_checkpoint(path, writer.take());
@@ -83,7 +83,9 @@ OutputProgress load_checkpoint(const std::filesystem::path& path, Simulation& si
     reader("time_step", time_step);
     if (time_step != simulation.time_step()) reader.fail("was made with another time step");
     OutputProgress outputs;
-    reader("outputs", outputs);
+    OutputProgress::visit_state(outputs, reader);
+    if (outputs.row_outflow.size() > simulation.outlets().names().size())
+        reader.fail("holds rows of other outlets");
     AtRest::visit_state(at_rest, reader);
     simulation.load(reader);
     reader.finish();

@@ -11,6 +11,8 @@ namespace {
 
 template <class Self, class Visit>
 void visit_particles(Self& p, Visit& visit) {
+    visit("particles.id", p.id);
+    visit("particles.next_id", p.next_id);
     visit("particles.position", p.position);
     visit("particles.orientation", p.orientation);
     visit("particles.velocity", p.velocity);
@@ -35,6 +37,9 @@ bool is_consistent(const Particles& p, const EnergyLedger& ledger, const Scene& 
         fine &= array->size() == n;
     }
     fine &= p.orientation.size() == n && p.kind.size() == n && p.group.size() == n;
+    fine &= p.id.size() == n;
+    for (std::size_t i = 0; fine && i < n; ++i)
+        fine &= p.id[i] < (i + 1 < n ? p.id[i + 1] : p.next_id);
     for (const std::uint32_t kind : p.kind) fine &= kind < scene.kinds.size();
     for (const std::uint32_t group : p.group) fine &= group < scene.insertions.size();
     return fine;
@@ -49,6 +54,9 @@ void Simulation::visit_state(Self& self, Visit& visit) {
     visit("walls.travel", self.walls_.travel);
     visit("ledger.dissipated", self.ledger_.dissipated);
     visit("ledger.wall_work", self.ledger_.wall_work);
+    visit("ledger.dissipated_before", self.ledger_.dissipated_before);
+    visit("ledger.wall_work_before", self.ledger_.wall_work_before);
+    visit("ledger.removed", self.ledger_.removed);
     visit("ledger.inserted", self.inserted_energy_);
     // One by one: bytes between members would be whatever was in memory.
     visit("largest_overlap.relative", self.largest_overlap_.relative);
@@ -56,6 +64,7 @@ void Simulation::visit_state(Self& self, Visit& visit) {
     visit("largest_overlap.is_wall", self.largest_overlap_.is_wall);
     visit("core_overlaps", self.core_overlaps_);
     Inserter::visit_state(self.inserter_, visit);
+    Outlets::visit_state(self.outlets_, visit);
 }
 
 void Simulation::save(StateWriter& writer) const {
@@ -66,11 +75,13 @@ void Simulation::save(StateWriter& writer) const {
 void Simulation::load(StateReader& reader) {
     visit_state(*this, reader);
     if (!is_consistent(particles_, ledger_, scene_) ||
-        walls_.travel.size() != scene_.walls.size() || !inserter_.fits(scene_)) {
+        walls_.travel.size() != scene_.walls.size() || !inserter_.fits(scene_) ||
+        !outlets_.fits()) {
         reader.fail("holds arrays of other lengths than this case has");
     }
     particles_.old_force.assign(particles_.size(), Vec3::Zero());
     particles_.old_torque.assign(particles_.size(), Vec3::Zero());
+    outlets_.settle(scene_, particles_);
     for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
         walls_.state[w] = wall_state(scene_.walls[w], time());
     }

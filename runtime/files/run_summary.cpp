@@ -28,6 +28,9 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
     for (const auto& [name, value] : summary.measures) measures[name] = value;
     Json missing = Json::object();
     for (const auto& [group, count] : summary.missing) missing[group] = count;
+    Json outlets = Json::object();
+    for (const OutletSummary& outlet : summary.outlets)
+        outlets[outlet.name] = {{"bodies", outlet.bodies}, {"mass", outlet.mass}};
     Json inputs = Json::object();
     for (const auto& [name, input_hash] : summary.inputs) inputs[name] = hexadecimal(input_hash);
     const Json json = {{"case", summary.case_path},
@@ -38,6 +41,7 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
                        {"time_step", summary.time_step},
                        {"particles", summary.particles},
                        {"missing", missing},
+                       {"outlets", outlets},
                        {"core_overlaps", summary.core_overlaps},
                        {"wall_time", summary.wall_time},
                        {"measure_time", summary.measure_time},

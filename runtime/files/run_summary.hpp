@@ -9,6 +9,13 @@
 
 namespace dem::runtime {
 
+/// What went out through an outlet, or through a plane less what came back.
+struct OutletSummary {
+    std::string name;
+    std::int64_t bodies = 0;
+    double mass = 0.0;  ///< [kg]
+};
+
 /// What summary.json says about a finished run; SI.
 struct RunSummary {
     std::string case_path;
@@ -19,6 +26,7 @@ struct RunSummary {
     double time_step = 0.0;  ///< [s]
     std::uint64_t particles = 0;
     std::vector<std::pair<std::string, std::uint64_t>> missing;  ///< bodies never placed, by group
+    std::vector<OutletSummary> outlets;
     std::uint64_t core_overlaps = 0;  ///< contacts in which cores of convex bodies overlapped
     double wall_time = 0.0;           ///< [s]
     double measure_time = 0.0;        ///< of the wall time for measures [s]

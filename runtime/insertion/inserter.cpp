@@ -3,7 +3,6 @@
 
 #include "common/error.hpp"
 #include "common/text.hpp"
-#include "runtime/case/region.hpp"
 #include "runtime/insertion/body_draw.hpp"
 #include "runtime/insertion/fill.hpp"
 #include "runtime/insertion/lattice.hpp"
@@ -93,7 +92,7 @@ Placements file_rows(const Scene& scene, std::uint32_t group_index, const Partic
         if (const auto other = occupancy.overlapped_body(body)) {
             const std::uint32_t own_first = particles.size();
             const std::string name =
-                *other < own_first ? "particle " + std::to_string(*other)
+                *other < own_first ? "particle " + std::to_string(particles.id[*other])
                                    : "the body of line " +
                                          std::to_string(group.placements[*other - own_first].line);
             throw Error(row, "the body overlaps " + name +

@@ -27,6 +27,9 @@ double mechanical_energy(const Particles& particles, const Scene& scene, std::ui
 Energies energies(const Simulation& simulation) {
     const Particles& p = simulation.particles();
     Energies e;
+    e.dissipated = simulation.ledger().dissipated_before;
+    e.wall_work = simulation.ledger().wall_work_before;
+    e.removed = simulation.ledger().removed;
     for (std::uint32_t i = 0; i < p.size(); ++i) {
         add_body(e, p, simulation.scene(), i);
         e.dissipated += simulation.ledger().dissipated[i];

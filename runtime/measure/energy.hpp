@@ -12,7 +12,7 @@ class Simulation;
 
 /// Where the energy of a simulation is. Fixed bodies have none.
 ///
-///     kinetic + potential + elastic + dissipated - wall_work - inserted = 0
+///     kinetic + potential + elastic + dissipated + removed - wall_work - inserted = 0
 ///
 /// but for the error of the time integration.
 struct Energies {
@@ -23,9 +23,11 @@ struct Energies {
     double dissipated = 0.0;     ///< by dashpots and slip since time 0 [J]
     double wall_work = 0.0;      ///< done by moving walls since time 0 [J]
     double inserted = 0.0;       ///< kinetic and potential energy of all bodies when new [J]
+    double removed = 0.0;        ///< energy of the bodies taken out and of their contacts [J]
 
     double residual() const {
-        return translational + rotational + elastic + potential + dissipated - wall_work - inserted;
+        return translational + rotational + elastic + potential + dissipated + removed - wall_work -
+               inserted;
     }
 };
 

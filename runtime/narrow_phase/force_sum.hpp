@@ -12,17 +12,26 @@ namespace dem::runtime {
 struct EnergyLedger {
     std::vector<double> dissipated;  ///< by dashpots, slip, and contacts that ended stretched
     std::vector<double> wall_work;   ///< done on it by moving walls
+    // The same of bodies that were taken out, and what they took along with their contacts.
+    double dissipated_before = 0.0;
+    double wall_work_before = 0.0;
+    double removed = 0.0;
 
     void resize(std::size_t particles) {
         dissipated.resize(particles, 0.0);
         wall_work.resize(particles, 0.0);
     }
+    void remove(std::span<const std::uint8_t> leaving);
 };
 
 /// Force and torque on every particle: its contacts in the order of the adjacency, then its weight.
 /// What they were goes to old_force and old_torque.
 void sum_forces(Particles& particles, NeighborLists& lists, const Scene& scene,
                 EnergyLedger& ledger);
+
+/// Force and torque anew after contacts have left the lists: what was computed for the others is
+/// summed, and nothing booked.
+void sum_remaining_forces(Particles& particles, NeighborLists& lists, const Scene& scene);
 
 /// Books what contacts that ended had still stored.
 inline void book(std::span<const Parting> partings, EnergyLedger& ledger) {

@@ -101,6 +101,11 @@ bool is_stale(const NeighborLists& lists, const Bodies& bodies);
 void rebuild(NeighborLists& lists, const Bodies& bodies, const BodyAabbs& aabbs,
              std::span<const double> margins, std::span<const double> wall_margins);
 
+/// Takes the marked bodies out with all their pairs; what the others remember, their results and
+/// limits stay. Bodies after them move up, as in Particles::remove. Returns what the springs of the
+/// contacts held that end by that [J].
+double remove_bodies(NeighborLists& lists, std::span<const std::uint8_t> leaving);
+
 /// Makes the adjacency of lists that were filled by hand, one after the other from the first on.
 void index_contacts(NeighborLists& lists, std::uint32_t particles);
 

@@ -38,6 +38,22 @@ FrameContext frame_context(const Scene& scene) {
     return context;
 }
 
+std::vector<std::string> outlet_columns(const Scene& scene) {
+    const std::vector<std::string> names = outlet_names(scene);
+    std::vector<std::string> columns;
+    if (!names.empty()) columns.emplace_back("removed");
+    for (const std::string& name : names) {
+        for (const char* quantity : {"_bodies", "_mass", "_body_rate", "_mass_rate"})
+            columns.push_back(name + quantity);
+        if (scene.insertions.size() < 2) continue;
+        for (const InsertionGroup& group : scene.insertions) {
+            columns.push_back(name + "_" + group.name + "_bodies");
+            columns.push_back(name + "_" + group.name + "_mass");
+        }
+    }
+    return columns;
+}
+
 std::vector<std::string> history_columns(const Scene& scene) {
     std::vector<std::string> columns = {"time",
                                         "step",
@@ -52,6 +68,8 @@ std::vector<std::string> history_columns(const Scene& scene) {
                                         "contacts",
                                         "coordination",
                                         "largest_relative_overlap"};
+    const auto outlets = outlet_columns(scene);
+    columns.insert(columns.end(), outlets.begin(), outlets.end());
     const auto measures = measure_columns(scene);
     columns.insert(columns.end(), measures.begin(), measures.end());
     return columns;
@@ -62,7 +80,7 @@ std::vector<BodyRow> body_rows(const Simulation& simulation) {
     const Scene& scene = simulation.scene();
     std::vector<BodyRow> rows(p.size());
     for (std::uint32_t i = 0; i < p.size(); ++i) {
-        rows[i] = {.id = i,
+        rows[i] = {.id = p.id[i],
                    .template_name = scene.shapes[scene.kinds[p.kind[i]].shape].name,
                    .group = scene.insertions[p.group[i]].name,
                    .position = p.position[i],
@@ -207,12 +225,10 @@ void Outputs::sample(const Simulation& simulation) {
 void Outputs::write_frame(const Simulation& simulation) {
     const Stopwatch watch(output_time_);
     const Particles& p = simulation.particles();
-    std::vector<std::uint32_t> id(p.size());
-    std::iota(id.begin(), id.end(), 0U);
     std::vector<std::uint32_t> shape;
     for (const std::uint32_t kind : p.kind) shape.push_back(simulation.scene().kinds[kind].shape);
     const auto coordination = coordination_numbers(simulation);
-    frames_.append({simulation.time(), simulation.steps(), id, p.position, p.orientation,
+    frames_.append({simulation.time(), simulation.steps(), p.id, p.position, p.orientation,
                     p.velocity, p.angular_velocity, shape, p.group, coordination, p.force});
     last_frame_ = simulation.time();
 }
@@ -253,9 +269,37 @@ void Outputs::write_row(const Simulation& simulation) {
                                               static_cast<double>(contact_count(simulation)),
                                               count > 0.0 ? sum / count : 0.0,
                                               simulation.largest_overlap().relative};
+    if (!simulation.outlets().is_empty()) {
+        row.emplace_back(e.removed);
+        add_outflow(simulation, row);
+    }
     row.insert(row.end(), measured_.begin(), measured_.end());
     history_.append(row);
     last_row_ = simulation.time();
+}
+
+void Outputs::add_outflow(const Simulation& simulation, std::vector<std::optional<double>>& row) {
+    const Outlets& outlets = simulation.outlets();
+    const double interval = simulation.time() - progress_.row_time;
+    const auto rate = [&](double change) {
+        return interval > 0.0 ? std::optional<double>(change / interval) : std::nullopt;
+    };
+    progress_.row_outflow.resize(outlets.names().size());
+    for (std::size_t o = 0; o < outlets.names().size(); ++o) {
+        Outflow& before = progress_.row_outflow[o];
+        const Outflow now = outlets.total(o);
+        row.emplace_back(static_cast<double>(now.bodies));
+        row.emplace_back(now.mass);
+        row.push_back(rate(static_cast<double>(now.bodies - before.bodies)));
+        row.push_back(rate(now.mass - before.mass));
+        before = now;
+        if (outlets.outflow(o).size() < 2) continue;
+        for (const Outflow& group : outlets.outflow(o)) {
+            row.emplace_back(static_cast<double>(group.bodies));
+            row.emplace_back(group.mass);
+        }
+    }
+    progress_.row_time = simulation.time();
 }
 
 void Outputs::write_last_row(const Simulation& simulation) {
@@ -291,6 +335,7 @@ void Outputs::write_end(const Simulation& simulation, const RunResult& result) c
                        .time_step = result.time_step,
                        .particles = result.particles,
                        .missing = {},
+                       .outlets = {},
                        .core_overlaps = result.core_overlaps,
                        .wall_time = result.wall_time,
                        .measure_time = result.measure_time,
@@ -303,6 +348,11 @@ void Outputs::write_end(const Simulation& simulation, const RunResult& result) c
                        .state_hash = result.state_hash,
                        .measures = {},
                        .inputs = scene.inputs};
+    const Outlets& outlets = simulation.outlets();
+    for (std::size_t o = 0; o < outlets.names().size(); ++o) {
+        const Outflow total = outlets.total(o);
+        summary.outlets.push_back({outlets.names()[o], total.bodies, total.mass});
+    }
     for (const MissingBodies& group : result.missing) {
         summary.missing.emplace_back(group.group, group.count - group.placed);
     }

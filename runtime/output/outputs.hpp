@@ -17,11 +17,25 @@ namespace dem::runtime {
 /// has not been sampled: the run that goes on does that, if it is due then.
 struct OutputProgress {
     std::uint64_t frames = 0;
-    std::uint64_t rows = 0;       ///< of history.csv
-    std::uint64_t rows_hash = 0;  ///< of what they say
-    double sampled = -1.0;        ///< what was due up to then is in the files [s]
-    double frames_every = 0.0;    ///< [s]
-    double history_every = 0.0;   ///< [s]
+    std::uint64_t rows = 0;            ///< of history.csv
+    std::uint64_t rows_hash = 0;       ///< of what they say
+    double sampled = -1.0;             ///< what was due up to then is in the files [s]
+    double frames_every = 0.0;         ///< [s]
+    double history_every = 0.0;        ///< [s]
+    double row_time = 0.0;             ///< of the last row [s]
+    std::vector<Outflow> row_outflow;  ///< what it said, by outlet
+
+    template <class Self, class Visit>
+    static void visit_state(Self& self, Visit& visit) {
+        visit("outputs.frames", self.frames);
+        visit("outputs.rows", self.rows);
+        visit("outputs.rows_hash", self.rows_hash);
+        visit("outputs.sampled", self.sampled);
+        visit("outputs.frames_every", self.frames_every);
+        visit("outputs.history_every", self.history_every);
+        visit("outputs.row_time", self.row_time);
+        visit("outputs.row_outflow", self.row_outflow);
+    }
 };
 
 /// DIR/checkpoint.h5.
@@ -61,6 +75,7 @@ class Outputs {
   private:
     void write_frame(const Simulation& simulation);
     void write_row(const Simulation& simulation);
+    void add_outflow(const Simulation& simulation, std::vector<std::optional<double>>& row);
     void measure(const Simulation& simulation);
     void write_last_row(const Simulation& simulation);
     void write_end(const Simulation& simulation, const RunResult& result) const;

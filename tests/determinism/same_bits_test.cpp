@@ -60,6 +60,23 @@ Scene polydisperse_spheres() {
     return scene;
 }
 
+/// The same, where the ground opens in two corners and a plane counts what falls on.
+Scene spheres_that_run_out() {
+    Scene scene = polydisperse_spheres();
+    const double middle = 16e-3;
+    scene.outlets.push_back({.name = "drain",
+                             .where = "test.ini:1",
+                             .place = BoxRegion{{{middle, middle, -1.0}, {1.0, 1.0, 6e-3}}}});
+    scene.outlets.push_back({.name = "pit",
+                             .where = "test.ini:2",
+                             .place = CylinderRegion{{0.0, 0.0, -1.0}, {0.0, 0.0, 4e-3}, 10e-3}});
+    scene.outlets.push_back({.name = "gate",
+                             .where = "test.ini:3",
+                             .kind = Outlet::Kind::flow,
+                             .place = HalfSpace{{0.0, 0.0, 0.03}, {0.0, 0.0, -1.0}}});
+    return scene;
+}
+
 // Equal spheres poured in batches into a vessel that turns.
 Scene batches_into_a_turning_vessel() {
     Scene scene = scenes::one_material({1e8, 2000.0, 0.5, 0.4});
@@ -251,6 +268,7 @@ TEST_P(SameBits, AcrossRestarts) {
 INSTANTIATE_TEST_SUITE_P(
     Scenes, SameBits,
     testing::Values(NamedScene{"polydisperse_spheres", polydisperse_spheres, 4e-6, 2000},
+                    NamedScene{"run_out", spheres_that_run_out, 4e-6, 2000},
                     NamedScene{"batches", batches_into_a_turning_vessel, 6e-6, 4000},
                     NamedScene{"continuous", continuous_mixture, 1e-5, 3000},
                     NamedScene{"tablets", tablets, 5e-6, 4000},

@@ -197,6 +197,44 @@ TEST(ReadScene, MistakesAreNamedWithTheirLine) {
     EXPECT_TRUE(missing.starts_with("c.ini:27: template: none.tpl: ")) << missing;
 }
 
+TEST(ReadScene, AnOutletIsARegionOrWhatLiesBehindAPlane) {
+    const Scene scene =
+        scene_of(sphere_case("[outlet.drain]\nregion = box -1 -1 -2 1 1 -1\n"
+                             "[outlet.gate]\nkind = flow\npoint = 0 0 -10 mm\nnormal = 0 0 -3\n"
+                             "radius = 4 mm\n"),
+                 "run.domain_exit=remove");
+    ASSERT_EQ(scene.outlets.size(), 2U);
+    EXPECT_EQ(scene.outlets[0].kind, Outlet::Kind::remove);
+    EXPECT_TRUE(holds(scene.outlets[0], Vec3(0.5, 0.5, -1.5)));
+    EXPECT_EQ(scene.outlets[1].kind, Outlet::Kind::flow);
+    EXPECT_EQ(std::get<HalfSpace>(scene.outlets[1].place).normal, Vec3(0.0, 0.0, -1.0));
+    EXPECT_EQ(scene.outlets[1].radius, 4e-3);
+    EXPECT_EQ(scene.run.domain_exit, DomainExit::remove);
+    EXPECT_EQ(scene_of(sphere_case()).run.domain_exit, DomainExit::error);
+}
+
+TEST(ReadScene, AnOutletThatCannotBeMeantIsRefused) {
+    const auto message = [](const std::string& section, const std::string& assignment = {}) {
+        return assignment.empty() ? case_message(sphere_case(section))
+                                  : case_message(sphere_case(section), assignment);
+    };
+    EXPECT_EQ(message("[outlet.drain]\nregion = box -1 -1 -1 1 1 0.02\n"),
+              "c.ini:25: [outlet.drain] takes out bodies where [particles.balls] puts them in, "
+              "expected them apart");
+    EXPECT_EQ(message("[outlet.drain]\npoint = 0 0 11 mm\nnormal = 0 0 1\n"),
+              "c.ini:25: [outlet.drain] takes out bodies where [particles.balls] puts them in, "
+              "expected them apart");
+    EXPECT_EQ(message("[outlet.drain]\nnormal = 0 0 1\n"),
+              "c.ini:25: no 'point' in [outlet.drain], expected a plane (point and normal) or a "
+              "region");
+    EXPECT_EQ(message("[outlet.drain]\nregion = box 0 0 -2 1 1 -1\nnormal = 0 0 1\n"),
+              "c.ini:27: normal: found a plane beside 'region' in [outlet.drain], expected one of "
+              "them");
+    EXPECT_EQ(message("[outlet.domain]\nregion = box 0 0 -2 1 1 -1\n", "run.domain_exit=remove"),
+              "c.ini:25: found the name 'domain', which domain_exit = remove takes for its own "
+              "columns, expected another one");
+}
+
 TEST(ReadScene, APairThatCanMeetNeedsRestitutionAndFriction) {
     std::string text = sphere_case();
     text.replace(text.find("friction = 0.38\n"), 16, "");

@@ -90,6 +90,32 @@ TEST_F(ResumedRun, LeavesTheFilesOfOneThatNeverStopped) {
               Hdf5Reader(directory_ / "whole/surfaces.h5").members("/topologies"));
 }
 
+TEST_F(ResumedRun, GoesOnCountingWhatHasGoneOut) {
+    const auto pour_out = [&](double end_time, int threads, const char* folder) {
+        Scene scene = pour(end_time, threads, folder);
+        scene.insertions[0].velocity = {0.0, 0.0, -1.0};
+        scene.outlets.push_back({.name = "drain",
+                                 .where = "test.ini:2",
+                                 .place = BoxRegion{{{0.0, -1.0, -1.0}, {1.0, 1.0, 8e-3}}}});
+        scene.outlets.push_back({.name = "gate",
+                                 .where = "test.ini:3",
+                                 .kind = Outlet::Kind::flow,
+                                 .place = HalfSpace{{0.0, 0.0, 0.02}, {0.0, 0.0, -1.0}}});
+        return scene;
+    };
+    const RunResult whole = run(pour_out(0.1, 2, "whole"), {});
+    run(pour_out(0.047, 1, "parts"), {});
+    const RunResult last = resume(pour_out(0.1, 3, "parts"));
+    EXPECT_EQ(last.state_hash, whole.state_hash);
+    EXPECT_LT(last.particles, 40U) << "somebody has gone";
+    const std::string history = text("whole/history.csv");
+    EXPECT_NE(history.find("removed,drain_bodies,drain_mass,drain_body_rate,drain_mass_rate,"
+                           "gate_bodies"),
+              std::string::npos);
+    EXPECT_TRUE(text("parts/history.csv") == history);
+    EXPECT_TRUE(text("parts/final.csv") == text("whole/final.csv"));
+}
+
 TEST_F(ResumedRun, ToALaterEndKeepsTheIntervalsOfTheRunThatBegan) {
     const auto automatic = [&](double end_time, const char* folder) {
         Scene scene = pour(end_time, 1, folder);
