@@ -7,7 +7,9 @@
 #include "runtime/contact/law/pair_law.hpp"
 #include "tests/runtime/contact/convex_shapes.hpp"
 
+#include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -56,6 +58,12 @@ inline void move(PairState& pair, double dt) {
 
 inline bool same(const StoredVec3& a, const Vec3& b) {
     return Vec3(a) == b;
+}
+
+/// Whether two histories are the same byte for byte.
+template <class History>
+bool same_bytes(const History& a, const History& b) {
+    return std::ranges::equal(std::as_bytes(std::span(&a, 1)), std::as_bytes(std::span(&b, 1)));
 }
 
 /// What went in lanes, and what was left to collide().

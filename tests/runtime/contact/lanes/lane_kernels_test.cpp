@@ -5,7 +5,6 @@
 #include "runtime/contact/pairs/sr_sr_continuous.hpp"
 #include "tests/runtime/contact/lanes/lane_contacts.hpp"
 
-#include <cstring>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -75,6 +74,7 @@ Count compare(const std::vector<LaneTestBody<Shape>>& bodies, const ContactLaw& 
     constexpr double dt = 2e-7;
     Random random(seed, 1);
     std::vector<Encounter<Shape, Cache>> all;
+    all.reserve(61);
     for (int n = 0; n < 61; ++n) all.push_back(encounter<Shape, Cache>(bodies, law, random));
     Count count;
     for (int step = 0; step < 300; ++step) {
@@ -104,10 +104,10 @@ Count compare(const std::vector<LaneTestBody<Shape>>& bodies, const ContactLaw& 
             if (in_lane && (outcome.done >> next & 1) != 0) {
                 ++count.in_lanes;
                 expect_same(e.result, outcome.overlap[next], c);
-                EXPECT_EQ(std::memcmp(&history, &e.history, sizeof history), 0);
+                EXPECT_TRUE(same_bytes(history, e.history));
             } else if (in_lane) {
                 ++count.rare;
-                EXPECT_EQ(std::memcmp(&before[next], &e.history, sizeof history), 0);
+                EXPECT_TRUE(same_bytes(before[next], e.history));
             }
             e.history = history;
             next += in_lane ? 1 : 0;

@@ -5,7 +5,6 @@
 #include "runtime/contact/walls/wall_work.hpp"
 #include "tests/runtime/contact/lanes/lane_contacts.hpp"
 
-#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -108,6 +107,7 @@ Count compare(const std::vector<LaneTestBody<Shape>>& bodies,
     constexpr double dt = 2e-7;
     Random random(seed, 1);
     std::vector<Of> all;
+    all.reserve(61);
     for (int n = 0; n < 61; ++n) all.push_back(encounter<Of>(bodies, walls, law, random));
     Count count;
     for (int step = 0; step < 300 && !testing::Test::HasFailure(); ++step) {
@@ -138,10 +138,10 @@ Count compare(const std::vector<LaneTestBody<Shape>>& bodies,
                 share_normal(e.history);
                 expect_same(e.result, outcome.overlap[n], c);
                 EXPECT_EQ(e.result.wall_work, wall_work(e.pair, c, dt));
-                EXPECT_EQ(std::memcmp(&history, &e.history, sizeof history), 0);
+                EXPECT_TRUE(same_bytes(history, e.history));
             } else {
                 ++count.rare;
-                EXPECT_EQ(std::memcmp(&before[n], &e.history, sizeof history), 0);
+                EXPECT_TRUE(same_bytes(before[n], e.history));
                 e.history = history;
             }
         }
