@@ -16,6 +16,12 @@ void extend_by_cylinder(Aabb& box, const Vec3& a, const Vec3& b, double radius) 
 }
 
 void extend_by_wall(Aabb& box, const Wall& wall) {
+    if (const auto* mesh = std::get_if<MeshWall>(&wall.shape)) {
+        const WallState state = wall_state(wall, 0.0);
+        for (const Vec3& v : mesh->mesh->vertices)
+            box.extend(state.position + state.body.orientation * v);
+        return;
+    }
     const WallExtent e = std::visit([](const auto& shape) { return shape.extent(); }, wall.shape);
     const auto [origin, axis] = wall_state(wall, 0.0).frame();
     extend_by_cylinder(box, origin + e.low * axis, origin + e.high * axis, e.radius);
@@ -33,6 +39,16 @@ double active_time(const WallMotion& motion, double end_time) {
     return std::max(0.0, std::min(motion.until, end_time) - motion.from);
 }
 
+// Of the wall's origin, of a mesh of its corners [m].
+double farthest_from(const Wall& wall, const Vec3& point) {
+    double farthest = (wall.position - point).norm();
+    if (const auto* mesh = std::get_if<MeshWall>(&wall.shape)) {
+        for (const Vec3& v : mesh->mesh->vertices)
+            farthest = std::max(farthest, (wall.position + wall.orientation * v - point).norm());
+    }
+    return farthest;
+}
+
 // How far the wall's origin can get from where it is at time 0 [m].
 double displacement_bound(const Wall& wall, double end_time) {
     const WallMotion& motion = wall.motion;
@@ -42,7 +58,7 @@ double displacement_bound(const Wall& wall, double end_time) {
         case WallMotion::Kind::translate:
             return motion.velocity.norm() * active_time(motion, end_time);
         case WallMotion::Kind::rotate:
-            return 2.0 * (wall.position - motion.point).norm();
+            return 2.0 * farthest_from(wall, motion.point);
         case WallMotion::Kind::oscillate:
             return motion.amplitude;
     }

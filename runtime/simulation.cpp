@@ -40,6 +40,7 @@ Simulation::Simulation(Scene scene, double dt)
       surface_reach_(surface_reach(scene_)),
       integrator_(make_integrator(scene_, surface_reach_)),
       wall_margins_(wall_margins(scene_)),
+      tunnels_(scene_),
       inserter_(scene_),
       outlets_(scene_, domain_),
       walls_(place_walls(scene_.walls)),
@@ -60,6 +61,7 @@ void Simulation::step() {
     ++steps_;
     move_walls(walls_, scene_.walls, domain_, time());  // 4
     check_bodies();                                     // 5
+    check_tunnels();                                    // 5
     if (is_stale(lists_, bodies())) rebuild_lists();    // 6  broad phase
     largest_overlap_ = compute_contacts(                // 7  narrow phase, contact laws
         lists_, bodies(), dt_, scratch_);
@@ -138,6 +140,16 @@ void Simulation::check_bodies() const {
                                 " has left the domain at " + at +
                                 ", expected walls that hold it or a larger domain");
     }
+}
+
+void Simulation::check_tunnels() const {
+    const auto tunnel = tunnels_.find(bodies(), time(), dt_);
+    if (!tunnel) return;
+    throw Error(here(), "particle " + std::to_string(particles_.id[tunnel->particle]) +
+                            " has gone through wall " + in_quotes(scene_.walls[tunnel->wall].name) +
+                            format(" in one step, at %.3g m/s, expected a shorter time step or "
+                                   "slower bodies and walls",
+                                   particles_.velocity[tunnel->particle].norm()));
 }
 
 void Simulation::check_overlap() const {

@@ -12,6 +12,7 @@
 #include "runtime/particles.hpp"
 #include "runtime/scene.hpp"
 #include "runtime/walls/moving_walls.hpp"
+#include "runtime/walls/tunnels.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -32,8 +33,8 @@ class Simulation {
     Simulation& operator=(const Simulation&) = delete;
 
     /// One time step (docs/time-loop.md). Throws Error with step, time and ids when a body has left
-    /// the domain, is nowhere (not a number) or overlaps by more than RunSettings::overlap_limit.
-    /// The state is then that of the failed step.
+    /// the domain, has gone through a mesh wall, is nowhere (not a number) or overlaps by more than
+    /// RunSettings::overlap_limit. The state is then that of the failed step.
     void step();
 
     double time() const { return static_cast<double>(steps_) * dt_; }  ///< [s]
@@ -71,6 +72,7 @@ class Simulation {
     void let_out();
     void rebuild_lists();
     void check_bodies() const;
+    void check_tunnels() const;
     void check_overlap() const;
     std::string here() const;
 
@@ -83,6 +85,7 @@ class Simulation {
     std::vector<double> surface_reach_;  ///< per kind: lever of a rotation that moves the surface
     Integrator integrator_;
     std::vector<double> wall_margins_;
+    TunnelWatch tunnels_;
     Inserter inserter_;
     Outlets outlets_;
     Particles particles_;

@@ -34,6 +34,14 @@ void index_wall(WallMesh& mesh) {
     }
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
         mesh.fan_begin[v + 1] += mesh.fan_begin[v];
+    mesh.least_bends.assign(mesh.blends.size() + 1, WallMesh::sharp);
+    for (std::uint32_t h = 0; h < mesh.bends.size(); ++h) {
+        const double bend = std::abs(mesh.bends[h]);
+        if (bend < level_bend || !mesh.is_smooth(h)) continue;
+        double& least = mesh.least_bends[mesh.patches[h / 3]];
+        least = std::min(least, bend);
+        mesh.least_bends.back() = std::min(mesh.least_bends.back(), bend);
+    }
 }
 
 WallMesh scaled(const WallMesh& mesh, double scale) {

@@ -54,6 +54,7 @@ struct WallMesh {
     std::vector<Vec3> normals;             ///< of the fronts, unit
     std::vector<std::uint32_t> fan_begin;  ///< vertices + 1: where each vertex begins in `fan`
     std::vector<std::uint32_t> fan;        ///< the vertices that share an edge with it, rising
+    std::vector<double> least_bends;  ///< per patch, then of all: of smooth edges not level [rad]
     Aabb bounds;
 
     const Vec3& corner(std::uint32_t t, std::uint32_t k) const { return vertices[triangles[t][k]]; }
@@ -65,7 +66,7 @@ struct WallMesh {
 /// Edges that bend by less are level: neighbors are one plane to what touches them [rad].
 inline constexpr double level_bend = 0.005;
 
-/// Fills what follows from triangles and vertices, whose indices must be in range.
+/// Fills what follows from the arrays, whose indices must be in range.
 void index_wall(WallMesh& mesh);
 
 /// The same wall with all lengths multiplied.

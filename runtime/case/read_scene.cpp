@@ -103,6 +103,33 @@ void check_outlet(const Outlet& outlet, const Scene& scene) {
     }
 }
 
+/// Where a wall in triangles is this much larger or smaller than a body, a unit is wrong.
+constexpr double largest_ratio = 1e6;
+
+void check_mesh_wall(const Scene& scene, const InsertionGroup& group, const Wall& wall) {
+    const auto* mesh = std::get_if<MeshWall>(&wall.shape);
+    if (mesh == nullptr) return;
+    const double size = (mesh->mesh->bounds.upper - mesh->mesh->bounds.lower).norm();
+    for (const std::uint32_t kind : group.kinds) {
+        if (scene.kinds[kind].inverse_inertia.mass == 0.0) continue;
+        const ParticleTemplate& shape = scene.shapes[scene.kinds[kind].shape];
+        if (!std::holds_alternative<Sphere>(shape.shape) &&
+            !std::holds_alternative<Clump>(shape.shape)) {
+            throw Error(group.where, "bodies of kind '" + kind_name(shape) + "' with wall '" +
+                                         wall.name +
+                                         "' of shape mesh are not in this version, "
+                                         "expected spheres or clumps");
+        }
+        const double radius = shape.bounding_radius;
+        if (size <= largest_ratio * radius && radius <= largest_ratio * size) continue;
+        std::ostringstream message;
+        message << "wall '" << wall.name << "' is " << size
+                << " m large and bodies have a radius of " << radius
+                << " m, expected a ratio of at most 1e6; see 'scale' of the wall";
+        throw Error(group.where, message.str());
+    }
+}
+
 }  // namespace
 
 std::string own_name(const std::string& section) {
@@ -134,6 +161,7 @@ Scene read_scene(const CaseFile& file) {
         check_digits(scene, group);
         if (group.mode != InsertionGroup::Mode::file)
             check_region(group, scene.walls, scene.run.domain);
+        for (const Wall& wall : scene.walls) check_mesh_wall(scene, group, wall);
     }
     for (const Outlet& outlet : scene.outlets) check_outlet(outlet, scene);
     scene.case_lines = case_lines(file);

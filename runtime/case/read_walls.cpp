@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/error.hpp"
 #include "common/text.hpp"
+#include "formats/template_reader.hpp"
 #include "runtime/case/scene_sections.hpp"
 
 #include <array>
+#include <filesystem>
+#include <memory>
 #include <string_view>
 
 namespace dem::runtime {
 
 namespace {
 
-enum class Shape : std::uint8_t { plane, cylinder, box };
+enum class Shape : std::uint8_t { plane, cylinder, box, mesh };
 
 /// A face of the wall `base`: its own name and pose, the rest shared.
 Wall face(const Wall& base, const std::string& suffix, const Vec3& origin, const Vec3& z_axis,
@@ -90,17 +93,52 @@ void read_box(const Values& values, const Wall& base, Scene& scene) {
     }
 }
 
+/// The wall of a template file, its lengths multiplied. Adds the file to the inputs of the scene.
+WallMesh read_wall_mesh(const Values& values, Scene& scene) {
+    const auto folder = std::filesystem::path(scene.case_path).parent_path();
+    const std::string path = (folder / values.text("template")).lexically_normal().string();
+    const double scale = values.number("scale");
+    try {
+        const TemplateLibrary library(path);
+        scene.inputs.emplace_back(values.text("template"), library.head().input_hash);
+        WallMesh mesh = library.wall(0).mesh;
+        return scale == 1.0 ? mesh : scaled(mesh, scale);
+    } catch (const Error& error) {
+        throw Error(values.where("template"), error.what());
+    }
+}
+
+void read_mesh(const Values& values, const Wall& base, Scene& scene) {
+    Wall wall = base;
+    const auto mesh = std::make_shared<const WallMesh>(read_wall_mesh(values, scene));
+    wall.position = values.vector("position");
+    wall.orientation = *values.optional_orientation("orientation");
+    // Farther out positions lose the digits that contacts need.
+    constexpr double farthest = 1e6;
+    const double reach =
+        mesh->bounds.lower.cwiseAbs().cwiseMax(mesh->bounds.upper.cwiseAbs()).norm();
+    if (!(reach + wall.position.norm() <= farthest)) {
+        throw Error(values.section_where(), "wall " + in_quotes(base.name) +
+                                                " reaches beyond 1e6 m "
+                                                "from the origin, expected it nearer; see 'scale'");
+    }
+    wall.shape = MeshWall{mesh};
+    scene.walls.push_back(std::move(wall));
+}
+
 /// The axis and the point a wall turns about unless the case says otherwise.
 Vec3 rotation_axis(const Values& values, Shape shape) {
     if (values.has("rotation_axis")) return values.direction("rotation_axis");
     if (shape == Shape::plane) return values.direction("normal");
-    if (shape != Shape::box) return values.direction("axis");
+    if (shape == Shape::cylinder) return values.direction("axis");
     throw Error(values.section_where(), "no 'rotation_axis' in [" + values.section_name() +
-                                            "], a box that rotates needs it");
+                                            "], a " + std::string(values.word("shape")) +
+                                            " that rotates needs it");
 }
 
 Vec3 rotation_point(const Values& values, Shape shape) {
     if (values.has("rotation_point")) return values.vector("rotation_point");
+    if (shape == Shape::mesh) return values.vector("position");
     if (shape != Shape::box) return values.vector("point");
     return 0.5 * (values.vector("lower") + values.vector("upper"));
 }
@@ -153,6 +191,9 @@ void read_wall(const Values& values, Scene& scene) {
             break;
         case Shape::box:
             read_box(values, base, scene);
+            break;
+        case Shape::mesh:
+            read_mesh(values, base, scene);
             break;
     }
 }

@@ -47,14 +47,18 @@ double depth(const Region& region, const Wall& wall, double time) {
     const double low = -support(region, -frame.axis) - start;
     const double high = support(region, frame.axis) - start;
     return std::visit(
-        [&](const auto& shape) {
+        [&]<class Shape>(const Shape& shape) {
             if (!shape.confines(low, high)) return 0.0;
-            return shape.with_field(frame, 0.0, [&](const auto& field) {
-                double deepest = 0.0;
-                for (const Vec3& point : hull(region))
-                    deepest = std::max(deepest, -field.sample(point).distance);
-                return deepest;
-            });
+            if constexpr (FieldWall<Shape>) {
+                return shape.with_field(frame, 0.0, [&](const auto& field) {
+                    double deepest = 0.0;
+                    for (const Vec3& point : hull(region))
+                        deepest = std::max(deepest, -field.sample(point).distance);
+                    return deepest;
+                });
+            } else {
+                return 0.0;
+            }
         },
         wall.shape);
 }

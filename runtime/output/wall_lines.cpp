@@ -39,6 +39,9 @@ void add_outline(Segments& lines, const Wall& wall, double time, const Aabb& bod
             lines.emplace_back(placed(state, ring, 2.0 * pi * k / sides),
                                placed(state, ring, 2.0 * pi * (k + 1) / sides));
     }
+    for (const auto& [from, to] : outline.lines)
+        lines.emplace_back(state.position + state.body.orientation * from,
+                           state.position + state.body.orientation * to);
     for (int k = 0; k < 4; ++k) {
         for (const auto& [from, to] : outline.meridians)
             lines.emplace_back(placed(state, from, 0.5 * pi * k), placed(state, to, 0.5 * pi * k));

@@ -110,10 +110,11 @@ class Maker {
         mesh.vertices = points_;
         mesh.triangles = triangles_;
         mesh.twins = twins_;
-        index_wall(mesh);
+        index_wall(mesh);  // the normals
         mesh.bends = bends();
         mesh.patches = patches();
         mesh.blends = blends();
+        index_wall(mesh);
         for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
             const Vec3& a = mesh.corner(t, 0);
             made_.report.area += 0.5 * (mesh.corner(t, 1) - a).cross(mesh.corner(t, 2) - a).norm();

@@ -6,6 +6,7 @@
 #include "runtime/measure/energy.hpp"
 #include "runtime/simulation.hpp"
 #include "tests/runtime/simulation/scenes.hpp"
+#include "tests/support/sample_walls.hpp"
 
 #include <functional>
 #include <memory>
@@ -189,6 +190,39 @@ Scene mixture_without_slip() {
     return scene;
 }
 
+// Spheres and clumps in a closed vessel of triangles that shakes, among the facets of a tube that
+// turns and on a ridge.
+Scene vessels_of_triangles() {
+    Scene scene = scenes::one_material({2e7, 1400.0, 0.5, 0.3});
+    scenes::add_kind(scene, scenes::sphere(4e-3));
+    scenes::add_kind(scene, scenes::candy_clump());
+    scenes::add_kind(scene, scenes::dumbbell_clump());
+    std::vector<BodyPlacement> bodies = scenes::column(50, 3, 25e-3, 13.5e-3);
+    for (BodyPlacement& body : bodies) {
+        body.position.z() += 10e-3;
+        body.velocity = {0.5, 0.4, -1.5};
+    }
+    scene.insertions.push_back(scenes::placed(bodies));
+    const auto wall = [&](const char* name, const sample::Surface& surface) -> Wall& {
+        Wall made;
+        made.name = name;
+        made.shape = MeshWall{std::make_shared<const WallMesh>(surface.wall())};
+        scene.walls.push_back(made);
+        return scene.walls.back();
+    };
+    Wall& box = wall("box", sample::box_inside({-0.035, -0.035, -0.01}, {0.035, 0.035, 0.3}));
+    box.motion.kind = WallMotion::Kind::oscillate;
+    box.motion.axis = Vec3(0.3, 0.0, 1.0).normalized();
+    box.motion.amplitude = 1e-3;
+    box.motion.frequency = 40.0;
+    Wall& tube = wall("tube", sample::tube(0.03, 0.005, 0.25, 60));
+    tube.motion.kind = WallMotion::Kind::rotate;
+    tube.motion.rate = 15.0;
+    tube.motion.from = 0.005;
+    wall("ridge", sample::valley(-pi / 3.0, 0.02, 0.04));
+    return scene;
+}
+
 class SameBits : public testing::TestWithParam<NamedScene> {
   protected:
     using Threads = std::vector<int>;
@@ -275,7 +309,8 @@ INSTANTIATE_TEST_SUITE_P(
                     NamedScene{"nodes", node_mixture, 1e-5, 3000},
                     NamedScene{"clumps", clump_mixture, 1e-5, 3000},
                     NamedScene{"convex", convex_mixture, 1e-5, 1500},
-                    NamedScene{"no_slip", mixture_without_slip, 8e-6, 1000}),
+                    NamedScene{"no_slip", mixture_without_slip, 8e-6, 1000},
+                    NamedScene{"triangles", vessels_of_triangles, 1e-5, 2500}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

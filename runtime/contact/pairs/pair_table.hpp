@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/shapes/particle_template.hpp"
+#include "runtime/contact/pairs/ball_mesh.hpp"
 #include "runtime/contact/pairs/clump_clump.hpp"
 #include "runtime/contact/pairs/clump_convex.hpp"
 #include "runtime/contact/pairs/clump_sr.hpp"
@@ -174,7 +175,7 @@ struct SmoothWallRow<Wall> {
                                    ContactLaw::Method::continuous>>;
 };
 
-/// Every kind of body with every shape of wall.
+/// Every kind of body with every shape of wall that is a field of distances.
 template <class Walls>
 struct RowsOfWalls;
 template <class... Wall>
@@ -186,7 +187,17 @@ struct RowsOfWalls<std::variant<Wall...>> {
         PairTable<WallRow<Clump, Wall, PatchHistory, NearCache>...>,
         PairTable<WallRow<ConvexShape, Wall, ConvexHistory, MissCache>...>>::Type;
 };
-using WallPairs = typename RowsOfWalls<WallShape>::Type;
+using MeshPairs = PairTable<WallRow<Sphere, MeshWall, MeshHistory, NearCache>,
+                            WallRow<Clump, MeshWall, MeshHistory, NearCache>>;
+using WallPairs = typename Joined<RowsOfWalls<FieldWallShape>::Type, MeshPairs>::Type;
+
+/// Whether contacts of two kinds are computed; cases with others are refused when they are read.
+template <class A, class B>
+inline constexpr bool is_computed = true;
+template <>
+inline constexpr bool is_computed<SrShape, MeshWall> = false;
+template <>
+inline constexpr bool is_computed<ConvexShape, MeshWall> = false;
 
 /// Surfaces of revolution are the only ones that walls may have no smooth kernel for.
 template <class B>
@@ -196,8 +207,9 @@ template <class Table, class A, class... B>
 constexpr bool has_rows_for(const std::variant<B...>* /*partners*/) {
     using Method = ContactLaw::Method;
     return (true && ... &&
-            (Table::template rows_for<A, B>(Method::nodes) == 1 &&
-             (!has_smooth_kernel<B> || Table::template rows_for<A, B>(Method::continuous) == 1)));
+            (!is_computed<A, B> ||
+             (Table::template rows_for<A, B>(Method::nodes) == 1 &&
+              (!has_smooth_kernel<B> || Table::template rows_for<A, B>(Method::continuous) == 1))));
 }
 /// Whether each combination of a shape and a partner has one row, whatever the method.
 template <class Table, class Partners, class... A>

@@ -22,10 +22,11 @@ struct WallExtent {
     double radius = 0.0;  ///< [m]
 };
 
-/// Lines that show a wall of revolution, each point as (radius, z) [m].
+/// Lines that show a wall, points as (radius, z) or in space [m].
 struct WallOutline {
     std::vector<Vec2> rings;                     ///< circles about the axis
     std::vector<std::array<Vec2, 2>> meridians;  ///< straight, drawn on four sides of the axis
+    std::vector<std::array<Vec3, 2>> lines = {};
 };
 
 /// Asks a field for its distance: for the concept below.
@@ -36,11 +37,7 @@ struct DistanceAtOrigin {
 };
 
 template <class Wall>
-concept AnyWall = requires(const Wall& wall, const WallFrame& frame, const Quat& orientation) {
-    /// Calls use(field) with the wall as a WallField in a frame and returns what that returns;
-    /// `slack`: what rounding may do to distances there [m]. Kernels of contact, distances of walls
-    /// and regions ask this.
-    { wall.with_field(frame, 0.0, DistanceAtOrigin{}) } -> std::same_as<double>;
+concept AnyWall = requires(const Wall& wall, const Quat& orientation) {
     /// What checkpoints know its contacts by: never to be given to another.
     requires std::same_as<decltype(Wall::name), const std::string_view>;
     /// What the domain must hold.
@@ -52,6 +49,16 @@ concept AnyWall = requires(const Wall& wall, const WallFrame& frame, const Quat&
     { wall.outline(0.0, 1.0) } -> std::same_as<WallOutline>;
     /// Bound on the angle by which the wall's surface turns from one orientation to another [rad].
     { wall.surface_turn(orientation, orientation) } -> std::same_as<double>;
+};
+
+/// A wall that is a field of distances, which most kernels need no more of. Others have kernels of
+/// their own for every kind of body (mesh_wall.hpp).
+template <class Wall>
+concept FieldWall = AnyWall<Wall> && requires(const Wall& wall, const WallFrame& frame) {
+    /// Calls use(field) with the wall as a WallField in a frame and returns what that returns;
+    /// `slack`: what rounding may do to distances there [m]. Kernels of contact, distances of walls
+    /// and regions ask this.
+    { wall.with_field(frame, 0.0, DistanceAtOrigin{}) } -> std::same_as<double>;
 };
 
 }  // namespace dem::runtime

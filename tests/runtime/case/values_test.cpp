@@ -62,9 +62,11 @@ TEST(Values, AnUnknownKeyIsNamedWithTheNearestOne) {
               "c.ini:3: unknown key 'friction' in [run], it belongs in [contact]");
     // Two of five letters are no slip of the pen.
     EXPECT_EQ(
-        message("[particles.x]\nscale = 2\n", nothing)
-            .rfind("c.ini:2: unknown key 'scale' in [particles.x], expected one of: template,", 0),
+        message("[particles.x]\nstage = 2\n", nothing)
+            .rfind("c.ini:2: unknown key 'stage' in [particles.x], expected one of: template,", 0),
         0U);
+    EXPECT_EQ(message("[particles.x]\nscale = 2\n", nothing),
+              "c.ini:2: unknown key 'scale' in [particles.x], it belongs in [wall.NAME]");
 }
 
 TEST(Values, AMissingKeyIsNamed) {
@@ -129,9 +131,9 @@ TEST(Values, AChoiceThatIsNotThereSuggestsOneThatIs) {
 }
 
 TEST(Values, AChoiceToComeIsSaidBeforeItsKeysAreBlamed) {
-    EXPECT_EQ(
-        message("[wall.w]\nfile = w.tpl\nshape = mesh\n", nothing),
-        "c.ini:3: shape: 'mesh' is not in this version, expected one of: plane, cylinder, box");
+    EXPECT_EQ(message("[measure.m]\nradius = 3 mm\nkind = order\n", nothing)
+                  .rfind("c.ini:3: kind: 'order' is not in this version, expected one of: ", 0),
+              0U);
 }
 
 TEST(Values, ASizeIsARadiusOrADiameter) {
@@ -176,6 +178,8 @@ TEST(Keys, EveryDefaultIsAValidValueAndEveryConditionIsAChoice) {
                     << key.name;
             } else if (key.type == ValueType::vector) {
                 EXPECT_EQ(parse_quantities(key.standard, key.dimension).size(), 3U) << key.name;
+            } else if (key.type == ValueType::orientation) {
+                EXPECT_EQ(parse_quantities(key.standard, key.dimension).size(), 4U) << key.name;
             } else {
                 EXPECT_EQ(key.type, ValueType::yes_no) << key.name;
             }

@@ -15,13 +15,15 @@ using namespace runtime;
 
 namespace {
 
-/// What the answers of every shape have in common is held for these: a new shape adds its own.
-const std::vector<WallShape> walls = {PlaneWall{},
-                                      PlaneWall{.radius = 0.4},
-                                      CylinderWall{.radius = 0.5},
-                                      CylinderWall{.radius = 0.5, .length = 1.2},
-                                      CylinderWall{.radius = 0.5, .inside = false},
-                                      CylinderWall{.radius = 0.5, .length = 1.2, .inside = false}};
+/// What the answers of every shape that is a field have in common is held for these: a new shape
+/// adds its own.
+const std::vector<FieldWallShape> walls = {
+    PlaneWall{},
+    PlaneWall{.radius = 0.4},
+    CylinderWall{.radius = 0.5},
+    CylinderWall{.radius = 0.5, .length = 1.2},
+    CylinderWall{.radius = 0.5, .inside = false},
+    CylinderWall{.radius = 0.5, .length = 1.2, .inside = false}};
 
 constexpr double rounding = 1e-12;
 
@@ -107,7 +109,7 @@ TEST(WallShapes, ABodyThatIsLetPassIsBehindTheWall) {
 
 TEST(WallShapes, TheOutlineLiesOnTheSurfaceAndTheExtentHoldsIt) {
     const WallFrame frame{Vec3::Zero(), Vec3::UnitZ()};
-    for (const WallShape& shape : walls) {
+    for (const FieldWallShape& shape : walls) {
         std::visit(
             [&](const auto& wall) {
                 const WallOutline outline = wall.outline(-0.7, 0.9);
@@ -135,7 +137,7 @@ TEST(WallShapes, ATurnAboutTheOwnAxisMovesNoSurfaceAndATiltMovesIt) {
     Random random(3, 0);
     const Quat before = random.orientation();
     const Vec3 axis = body_axis(before);
-    for (const WallShape& shape : walls) {
+    for (const FieldWallShape& shape : walls) {
         std::visit(
             [&](const auto& wall) {
                 const Quat about_itself = rotation_about(axis, 0.3) * before;

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/shapes/wall_mesh.hpp"
+#include "runtime/contact/meshes/ball_touch.hpp"
+#include "runtime/contact/meshes/mesh_history.hpp"
+#include "runtime/contact/walls/mesh_wall.hpp"
+
+#include <span>
+
+/// From the places where the balls of a body touch a mesh wall to contacts and their forces.
+namespace dem::runtime {
+
+/// How a mesh wall lies in a pair.
+struct MeshFrame {
+    Mat3 to_world;
+    Vec3 origin;  ///< relative to the center of i [m]
+
+    explicit MeshFrame(const PairState& pair)
+        : to_world(pair.j.orientation.toRotationMatrix()), origin(pair.displacement) {}
+    /// A place relative to the center of i in the frame of the mesh.
+    Vec3 in_mesh(const Vec3& x) const { return to_world.transpose() * (x - origin); }
+};
+
+/// A ball of body i: its number, its center relative to the center of i, its radius [m].
+struct BodyBall {
+    std::uint32_t number;
+    Vec3 center;
+    double radius;
+};
+
+/// Gathers what the balls of one body touch in a step and gives the force of all contacts.
+class MeshContacts {
+  public:
+    /// `room`: for the touching places of all balls; what does not fit is left out.
+    MeshContacts(const MeshWall& wall, const MeshCall& call, std::span<ContactPoint> room)
+        : mesh_(*wall.mesh), frame_(call.pair), call_(call), room_(room) {}
+
+    const MeshFrame& frame() const { return frame_; }
+
+    /// Adds what a ball touches of the triangles that `visit_triangles(visit)` calls visit(t) for,
+    /// in rising order; visit returns the distance of a triangle [m]. Balls come in rising order.
+    /// Returns the distance of the nearest [m].
+    template <class VisitTriangles>
+    double add(const BodyBall& ball, const VisitTriangles& visit_triangles);
+
+    bool empty() const { return count_ == 0; }
+
+    /// The force of everything added, after which the history is that of this step.
+    /// `radius_of(ball)`: of the ball of a number [m].
+    template <class RadiusOf>
+    PairContact force(const RadiusOf& radius_of);
+
+  private:
+    /// The places of one contact.
+    struct Group {
+        std::span<ContactPoint> points;
+        std::uint32_t contact = 0;  ///< as TouchedSides::contact_of() numbers it; of the last group
+                                    ///< one of several where there are too many
+        std::size_t old = 0;        ///< the contact of the step before that goes on; else `used`
+        std::uint32_t deepest_ball = 0;
+    };
+
+    void add_place(const BodyBall& ball, double overlap, const Vec3& gradient, std::uint32_t side);
+    void make_groups();
+    void join_by_history();
+    std::uint64_t group_of(std::uint32_t side);
+    void sort_into_groups();
+    void name_places(Group& group) const;
+    std::array<PatchSide, MeshHistory::most_sides> sides_of(std::size_t group) const;
+    double end_others() const;
+    void put_in_order();
+
+    const WallMesh& mesh_;
+    MeshFrame frame_;
+    const MeshCall& call_;
+    std::span<ContactPoint> room_;
+    std::size_t count_ = 0;
+    TouchedSides sides_;
+    std::array<Group, MeshHistory::most_contacts> groups_{};
+    std::size_t group_count_ = 0;
+};
+
+template <class VisitTriangles>
+double MeshContacts::add(const BodyBall& ball, const VisitTriangles& visit_triangles) {
+    BallTouches touches(mesh_, frame_.in_mesh(ball.center), ball.radius, call_.memory.history,
+                        sides_);
+    double nearest = std::numeric_limits<double>::infinity();
+    visit_triangles([&](std::uint32_t t) {
+        const double distance = touches.add(t);
+        nearest = std::min(nearest, distance);
+        return distance;
+    });
+    touches.visit_places([&](double overlap, const Vec3& gradient, std::uint32_t side) {
+        add_place(ball, overlap, frame_.to_world * gradient, side);
+    });
+    return nearest;
+}
+
+/// Adds the force of one contact to that of a pair.
+inline void put_together(const PairContact& contact, PairContact& sum) {
+    sum.force += contact.force;
+    sum.torque_i += contact.torque_i;
+    sum.torque_j += contact.torque_j;
+    sum.overlap = std::max(sum.overlap, contact.overlap);
+    sum.elastic_energy += contact.elastic_energy;
+    sum.dissipated_energy += contact.dissipated_energy;
+    sum.points += contact.points;
+}
+
+template <class RadiusOf>
+PairContact MeshContacts::force(const RadiusOf& radius_of) {
+    make_groups();
+    PairContact sum;
+    sum.dissipated_energy = end_others();
+    put_in_order();
+    MeshHistory& history = call_.memory.history;
+    for (std::size_t g = 0; g < group_count_; ++g) {
+        MeshHistory::Contact& contact = history.contacts[g];
+        contact.sides = sides_of(g);
+        put_together(contact_force(groups_[g].points, radius_of(groups_[g].deepest_ball),
+                                   call_.pair, call_.law, call_.dt, contact.history),
+                     sum);
+    }
+    return sum;
+}
+
+}  // namespace dem::runtime
