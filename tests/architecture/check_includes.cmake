@@ -43,6 +43,6 @@ allow(runtime/contact/fields "${contact}|runtime/contact/(law|walls|fields)/")
 allow(runtime/contact/cores "${contact}|runtime/contact/(law|smooth|cores)/")
 allow(runtime/contact/meshes "${contact}|runtime/contact/(law|walls|fields|meshes)/")
 allow(runtime/contact/pairs "${contact}|runtime/contact/(law|walls|smooth|fields|cores|meshes|pairs)/")
-allow(runtime/contact/lanes "${contact}|runtime/contact/(law|smooth|pairs|lanes)/")
+allow(runtime/contact/lanes "${contact}|runtime/contact/(law|walls|smooth|pairs|lanes)/")
 # memory: walls share their triangles.
 check(runtime/contact "<" "<(algorithm|array|bit|cmath|concepts|cstddef|cstdint|limits|memory|numbers|optional|span|sstream|string|string_view|tuple|type_traits|utility|variant|vector)>")
