@@ -26,13 +26,20 @@ Scene pile() {
     return scene;
 }
 
+double age(const ContactHistory& history) {
+    return history.phase;
+}
+double age(const MeshHistory& history) {
+    return history.contacts[0].history.phase;
+}
+
 /// Of every pair with a history its ids and how old the contact is.
 std::vector<std::pair<IdPair, double>> remembered(const NeighborLists& lists) {
     std::vector<std::pair<IdPair, double>> all;
     for_each_list(lists, [&](const auto& list) {
         for (std::uint32_t k = 0; k < list.size(); ++k) {
             const std::uint32_t history = list.history_of[k];
-            if (history != list.none) all.emplace_back(list.ids[k], list.histories[history].phase);
+            if (history != list.none) all.emplace_back(list.ids[k], age(list.histories[history]));
         }
     });
     return all;
