@@ -18,7 +18,7 @@ WallTemplate sample_wall() {
 }
 
 template <class T>
-void set(SharedArray<T>& array, std::size_t i, const T& value) {
+void replace(SharedArray<T>& array, std::size_t i, const T& value) {
     std::vector<T> values(array.begin(), array.end());
     values.at(i) = value;
     array = std::move(values);
@@ -75,22 +75,24 @@ TEST_F(WallFileTest, AWallIsNoParticleAndAParticleIsNoWall) {
 TEST_F(WallFileTest, WallsThatContradictThemselvesAreRefused) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::pair<const char*, std::function<void(WallTemplate&)>> wrong[] = {
-        {"vertex of a wall is nan", [&](auto& w) { set(w.mesh.vertices, 0, Vec3(nan, 0.0, 0.0)); }},
-        {"farther than 1e6 m", [](auto& w) { set(w.mesh.vertices, 0, Vec3(2e6, 0.0, 0.0)); }},
+        {"vertex of a wall is nan",
+         [&](auto& w) { replace(w.mesh.vertices, 0, Vec3(nan, 0.0, 0.0)); }},
+        {"farther than 1e6 m", [](auto& w) { replace(w.mesh.vertices, 0, Vec3(2e6, 0.0, 0.0)); }},
         {"names a vertex",
          [](auto& w) {
-             set(w.mesh.triangles, 0, {0U, 1U, 99U});
+             replace(w.mesh.triangles, 0, {0U, 1U, 99U});
          }},
         {"has no area",
          [](auto& w) {
-             set(w.mesh.triangles, 0, {1U, 1U, 2U});
+             replace(w.mesh.triangles, 0, {1U, 1U, 2U});
          }},
-        {"has a twin that does not", [](auto& w) { set(w.mesh.twins, 0, 99U); }},
-        {"do not share it", [](auto& w) { set(w.mesh.twins, 0, w.mesh.twins[0] == 5U ? 7U : 5U); }},
-        {"bends by more", [](auto& w) { set(w.mesh.bends, 0, 4.0); }},
-        {"bends by more", [&](auto& w) { set(w.mesh.bends, 0, nan); }},
-        {"has no patch", [](auto& w) { set(w.mesh.patches, 0, 6U); }},
-        {"blending of a patch is -1", [](auto& w) { set(w.mesh.blends, 0, -1.0); }},
+        {"has a twin that does not", [](auto& w) { replace(w.mesh.twins, 0, 99U); }},
+        {"do not share it",
+         [](auto& w) { replace(w.mesh.twins, 0, w.mesh.twins[0] == 5U ? 7U : 5U); }},
+        {"bends by more", [](auto& w) { replace(w.mesh.bends, 0, 4.0); }},
+        {"bends by more", [&](auto& w) { replace(w.mesh.bends, 0, nan); }},
+        {"has no patch", [](auto& w) { replace(w.mesh.patches, 0, 6U); }},
+        {"blending of a patch is -1", [](auto& w) { replace(w.mesh.blends, 0, -1.0); }},
         {"crease angle", [&](auto& w) { w.mesh.crease_angle = nan; }},
         {"crease angle", [&](auto& w) { w.mesh.crease_angle = 4.0; }},
         {"match its triangles", [](auto& w) { w.mesh.bends = std::vector<double>{0.0}; }},
@@ -99,19 +101,19 @@ TEST_F(WallFileTest, WallsThatContradictThemselvesAreRefused) {
          [](auto& w) {
              auto box = w.mesh.boxes[1];
              box.next = 0;
-             set(w.mesh.boxes, 1, box);
+             replace(w.mesh.boxes, 1, box);
          }},
         {"outside of its box",
          [](auto& w) {
              auto box = w.mesh.boxes[0];
              box.upper.x() = 0.5;
-             set(w.mesh.boxes, 0, box);
+             replace(w.mesh.boxes, 0, box);
          }},
         {"in their order",
          [](auto& w) {
              auto box = w.mesh.boxes[1];
              box.first = 1;
-             set(w.mesh.boxes, 1, box);
+             replace(w.mesh.boxes, 1, box);
          }},
         {"hold all of its", [](auto& w) { w.mesh.boxes = std::vector<WallMesh::Box>{}; }},
     };
