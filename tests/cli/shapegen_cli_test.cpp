@@ -228,7 +228,7 @@ TEST_F(ShapegenCli, NamesAFileThatIsMissingOrOfTheWrongKind) {
     expect_failure(run("inspect rubbish.tpl"), 1, "rubbish.tpl");
     write("bunny.stl", "solid bunny");
     expect_failure(run("bunny.stl"), 2,
-                   "expected --clump C, --clump-spheres N, --clump-error E% or --convex");
+                   "expected --clump C, --clump-spheres N, --clump-error E%, --convex or --wall");
 }
 
 TEST_F(ShapegenCli, NeverWaitsForAPipeNorTakesAFolderForAFile) {
