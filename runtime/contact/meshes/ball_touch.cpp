@@ -25,6 +25,8 @@ namespace {
 
 constexpr double rounding = 1e-11;
 constexpr double widest_blend = 0.1;  // from an edge on, in radii
+/// Nobody touches a side for the first time with a center nearer than this, in radii.
+constexpr double first_touch = 0.9;
 
 }  // namespace
 
@@ -42,8 +44,9 @@ double BallTouches::add(std::uint32_t t) {
     const double overlap = radius_ - std::abs(height);
     // A center that has come through keeps its side; a ball that comes from the other side touches
     // it far from its center first.
-    const bool has_come_through =
-        distance < 0.5 * radius_ && !history_.knows(side) && history_.knows(other_side(side));
+    const bool is_from_behind = !history_.knows(side) && history_.knows(other_side(side));
+    const bool has_come_through = is_from_behind && distance < 0.5 * radius_;
+    if (is_from_behind && !has_come_through && distance < first_touch * radius_) is_lost_ = true;
     if (nearest.part == TrianglePoint::inside) {
         if (has_come_through)
             keep(radius_ + std::abs(height), -normal, other_side(side), false);

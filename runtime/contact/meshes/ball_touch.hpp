@@ -78,6 +78,10 @@ class BallTouches {
           history_(history),
           sides_(sides) {}
 
+    /// Whether the center has come so far through the surface that nothing says any more from where
+    /// it came.
+    bool is_lost() const { return is_lost_; }
+
     /// Adds what of triangle t is touched. Returns the distance of its nearest point [m].
     double add(std::uint32_t t);
 
@@ -118,6 +122,7 @@ class BallTouches {
     TouchedSides& sides_;
     std::array<MeshTouch, capacity> touches_;  // NOLINT: filled up to count_
     std::uint32_t count_ = 0;
+    bool is_lost_ = false;
 };
 
 template <class Visit>

@@ -6,6 +6,7 @@
 #include "runtime/contact/meshes/mesh_history.hpp"
 #include "runtime/contact/walls/mesh_wall.hpp"
 
+#include <limits>
 #include <span>
 
 /// From the places where the balls of a body touch a mesh wall to contacts and their forces.
@@ -79,6 +80,7 @@ class MeshContacts {
     TouchedSides sides_;
     std::array<Group, MeshHistory::most_contacts> groups_{};
     std::size_t group_count_ = 0;
+    bool is_lost_ = false;  ///< a ball has gone through the wall
 };
 
 template <class VisitTriangles>
@@ -91,6 +93,7 @@ double MeshContacts::add(const BodyBall& ball, const VisitTriangles& visit_trian
         nearest = std::min(nearest, distance);
         return distance;
     });
+    is_lost_ = is_lost_ || touches.is_lost();
     touches.visit_places([&](double overlap, const Vec3& gradient, std::uint32_t side) {
         add_place(ball, overlap, frame_.to_world * gradient, side);
     });
@@ -108,6 +111,9 @@ inline void put_together(const PairContact& contact, PairContact& sum) {
     sum.points += contact.points;
 }
 
+/// Overlap of a body a ball of which has gone through the wall: no limit of overlaps allows it.
+inline constexpr double lost_overlap = std::numeric_limits<double>::infinity();
+
 template <class RadiusOf>
 PairContact MeshContacts::force(const RadiusOf& radius_of) {
     make_groups();
@@ -122,6 +128,7 @@ PairContact MeshContacts::force(const RadiusOf& radius_of) {
                                    call_.pair, call_.law, call_.dt, contact.history),
                      sum);
     }
+    if (is_lost_) sum.overlap = std::max(sum.overlap, lost_overlap);
     return sum;
 }
 
