@@ -27,6 +27,14 @@ void extend_by_wall(Aabb& box, const Wall& wall) {
     extend_by_cylinder(box, origin + e.low * axis, origin + e.high * axis, e.radius);
 }
 
+/// Where bodies are to get; of a plane it is its point.
+void extend_by_outlet(Aabb& box, const Outlet& outlet) {
+    if (const auto* plane = std::get_if<HalfSpace>(&outlet.place)) box.extend(plane->point);
+    if (const auto* region = std::get_if<BoxRegion>(&outlet.place)) box.extend(region->box);
+    if (const auto* region = std::get_if<CylinderRegion>(&outlet.place))
+        box.extend(bounds(*region));
+}
+
 struct ExtendByRegion {
     Aabb& box;
     void operator()(const BoxRegion& region) const { box.extend(region.box); }
@@ -204,6 +212,7 @@ Aabb scene_extent(const Scene& scene) {
         }
         for (const BodyPlacement& body : group.placements) box.extend(body.position);
     }
+    for (const Outlet& outlet : scene.outlets) extend_by_outlet(box, outlet);
     return box;
 }
 

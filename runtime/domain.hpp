@@ -10,8 +10,8 @@ namespace dem::runtime {
 /// need, and cells of grids their numbers.
 inline constexpr double farthest_coordinate = 1e6;
 
-/// Box about all finite walls, insertion regions and placed bodies of a scene at time 0. Empty when
-/// there are none.
+/// Box about all finite walls, insertion regions, placed bodies and outlets of a scene at time 0.
+/// Empty when there are none.
 Aabb scene_extent(const Scene& scene);
 
 /// The largest speed that a body may reach [m/s]: thrown at its start, fallen through the whole

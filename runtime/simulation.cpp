@@ -13,6 +13,7 @@
 #include "runtime/overlap.hpp"
 
 #include <atomic>
+#include <cmath>
 #include <utility>
 
 namespace dem::runtime {
@@ -157,6 +158,11 @@ void Simulation::check_overlap() const {
     if (relative <= scene_.run.overlap_limit) return;
     const auto [i, j] = largest_overlap_.ids;
     const bool is_wall = largest_overlap_.is_wall;
+    if (std::isinf(relative)) {
+        throw Error(here(), "a small sphere of particle " + std::to_string(particles_.id[i]) +
+                                " has gone through wall " + in_quotes(scene_.walls[j].name) +
+                                ", expected stiffer materials, slower bodies or larger spheres");
+    }
     const std::string partner = is_wall ? "wall " + in_quotes(scene_.walls[j].name)
                                         : "particle " + std::to_string(particles_.id[j]);
     const auto is_new = [&](std::uint32_t body) {

@@ -6,6 +6,7 @@
 #include "runtime/case/case_lines.hpp"
 #include "runtime/case/region.hpp"
 #include "runtime/case/scene_sections.hpp"
+#include "runtime/outlets/outlets.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -77,14 +78,29 @@ void check_digits(const Scene& scene, const InsertionGroup& group) {
     }
 }
 
-/// Bodies that go out as they come in are a mistake; a name that the columns of two outlets would
-/// share, too.
+bool is_fixed(const Scene& scene, std::uint32_t kind) {
+    return scene.kinds[kind].inverse_inertia.mass == 0.0;
+}
+
+/// Two columns of one name would hide each other from whoever reads the history.
+void check_outlet_names(const Scene& scene) {
+    std::vector<std::string> columns = outlet_columns(scene);
+    std::sort(columns.begin(), columns.end());
+    const auto twice = std::adjacent_find(columns.begin(), columns.end());
+    if (twice == columns.end()) return;
+    const auto last =
+        std::find_if(scene.outlets.rbegin(), scene.outlets.rend(),
+                     [&](const Outlet& outlet) { return twice->starts_with(outlet.name + "_"); });
+    throw Error(last->where, "the columns of [outlet." + last->name +
+                                 "] in the history would have " + in_quotes(*twice) +
+                                 " twice, expected names of outlets and groups that differ");
+}
+
+/// Bodies that go out as they come in are a mistake, and so is a place that nobody can reach.
 void check_outlet(const Outlet& outlet, const Scene& scene) {
-    if (outlet.name == "domain" && scene.run.domain_exit == DomainExit::remove) {
-        throw Error(
-            outlet.where,
-            "found the name 'domain', which domain_exit = remove takes for its own columns, "
-            "expected another one");
+    if (scene.run.domain && !may_hold(outlet, BoxRegion{*scene.run.domain})) {
+        throw Error(outlet.where, "[outlet." + outlet.name +
+                                      "] lies outside of the domain, expected it where bodies get");
     }
     if (outlet.kind == Outlet::Kind::flow) return;
     for (const InsertionGroup& group : scene.insertions) {
@@ -93,13 +109,23 @@ void check_outlet(const Outlet& outlet, const Scene& scene) {
                 ? std::any_of(group.placements.begin(), group.placements.end(),
                               [&](const BodyPlacement& body) {
                                   return holds(outlet, body.position) &&
-                                         scene.kinds[body.kind].inverse_inertia.mass > 0.0;
+                                         !is_fixed(scene, body.kind);
                               })
-                : may_hold(outlet, group.region);
+                : !is_fixed(scene, group.kinds.front()) && may_hold(outlet, group.region);
         if (!takes_new) continue;
         throw Error(outlet.where, "[outlet." + outlet.name +
                                       "] takes out bodies where [particles." + group.name +
                                       "] puts them in, expected them apart");
+    }
+}
+
+/// A row outside of a domain that lets bodies go would come in for nothing.
+void check_rows(const InsertionGroup& group, const RunSettings& run) {
+    if (!run.domain || run.domain_exit == DomainExit::error) return;
+    for (const BodyPlacement& body : group.placements) {
+        if (run.domain->contains(body.position)) continue;
+        throw Error(group.file + ":" + std::to_string(body.line),
+                    "the body is outside of the domain, expected it inside");
     }
 }
 
@@ -163,7 +189,9 @@ Scene read_scene(const CaseFile& file) {
             check_region(group, scene.walls, scene.run.domain);
         for (const Wall& wall : scene.walls) check_mesh_wall(scene, group, wall);
     }
+    check_outlet_names(scene);
     for (const Outlet& outlet : scene.outlets) check_outlet(outlet, scene);
+    for (const InsertionGroup& group : scene.insertions) check_rows(group, scene.run);
     scene.case_lines = case_lines(file);
     return scene;
 }

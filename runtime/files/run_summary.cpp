@@ -30,7 +30,8 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
     for (const auto& [group, count] : summary.missing) missing[group] = count;
     Json outlets = Json::object();
     for (const OutletSummary& outlet : summary.outlets)
-        outlets[outlet.name] = {{"bodies", outlet.bodies}, {"mass", outlet.mass}};
+        outlets[outlet.name] = {
+            {"kind", outlet.kind}, {"bodies", outlet.bodies}, {"mass", outlet.mass}};
     Json inputs = Json::object();
     for (const auto& [name, input_hash] : summary.inputs) inputs[name] = hexadecimal(input_hash);
     const Json json = {{"case", summary.case_path},

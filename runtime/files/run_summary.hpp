@@ -12,6 +12,7 @@ namespace dem::runtime {
 /// What went out through an outlet, or through a plane less what came back.
 struct OutletSummary {
     std::string name;
+    std::string kind;  ///< "remove", "flow"
     std::int64_t bodies = 0;
     double mass = 0.0;  ///< [kg]
 };

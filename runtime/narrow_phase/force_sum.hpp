@@ -21,6 +21,7 @@ struct EnergyLedger {
         dissipated.resize(particles, 0.0);
         wall_work.resize(particles, 0.0);
     }
+    /// Bodies that are marked leave; what was booked on them goes on in the sums before.
     void remove(std::span<const std::uint8_t> leaving);
 };
 

@@ -12,7 +12,10 @@ namespace {
 class Removal {
   public:
     Removal(NeighborLists& lists, std::span<const std::uint8_t> leaving)
-        : lists_(lists), leaving_(leaving), index_(leaving.size()) {
+        : lists_(lists),
+          leaving_(leaving),
+          index_(leaving.size()),
+          new_result_(lists.results.size(), none) {
         std::uint32_t kept = 0;
         for (std::size_t i = 0; i < leaving.size(); ++i) {
             index_[i] = kept;
@@ -29,6 +32,27 @@ class Removal {
         from(
             list, [](const IdPair& ids) { return ids.j; },
             [](const IdPair& /*ids*/) { return false; });
+    }
+
+    /// Entries keep their order: partners by rising id, then walls.
+    void of_adjacency() {
+        Adjacency& adjacency = lists_.adjacency;
+        std::uint32_t kept = 0;
+        std::uint32_t kept_bodies = 0;
+        for (std::uint32_t i = 0; i < leaving_.size(); ++i) {
+            if (leaving_[i] != 0) continue;
+            const std::uint32_t first = kept;
+            for (std::uint32_t k = adjacency.begin[i]; k < adjacency.begin[i + 1]; ++k) {
+                const Adjacency::Entry entry = adjacency.entries[k];
+                if (new_result_[entry.result] == none) continue;
+                adjacency.entries[kept++] = {new_result_[entry.result] & 0x7fffffffU, entry.is_j};
+            }
+            adjacency.begin[kept_bodies++] = first;
+        }
+        adjacency.begin[kept_bodies] = kept;
+        adjacency.begin.resize(kept_bodies + 1);
+        adjacency.entries.resize(kept);
+        lists_.touching_entries.reset(adjacency);
     }
 
     std::uint32_t results() const { return results_; }
@@ -52,6 +76,7 @@ class Removal {
             list.quiet_until[kept] = list.quiet_until[k];
             list.history_of[kept] = list.history_of[k];
             list.caches[kept] = list.caches[k];
+            new_result_[result] = results_;
             lists_.results[results_] = lists_.results[result];
             lists_.touching[results_] = lists_.touching[result];
             ++kept;
@@ -66,7 +91,9 @@ class Removal {
 
     NeighborLists& lists_;
     std::span<const std::uint8_t> leaving_;
-    std::vector<std::uint32_t> index_;  ///< of each body that stays, among those
+    static constexpr std::uint32_t none = 0xffffffffU;
+    std::vector<std::uint32_t> index_;       ///< of each body that stays, among those
+    std::vector<std::uint32_t> new_result_;  ///< of each result that stays, or none
     std::uint32_t results_ = 0;
     double elastic_energy_ = 0.0;
 };
@@ -80,7 +107,7 @@ double remove_bodies(NeighborLists& lists, std::span<const std::uint8_t> leaving
     lists.results.resize(removal.results());
     lists.touching.resize(removal.results());
     compact(lists.particle_limit, leaving);
-    index_contacts(lists, static_cast<std::uint32_t>(lists.particle_limit.size()));
+    removal.of_adjacency();
     return removal.elastic_energy();
 }
 

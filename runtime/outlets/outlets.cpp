@@ -32,6 +32,22 @@ std::vector<std::string> outlet_names(const Scene& scene) {
     return names;
 }
 
+std::vector<std::string> outlet_columns(const Scene& scene) {
+    const std::vector<std::string> names = outlet_names(scene);
+    std::vector<std::string> columns;
+    if (!names.empty()) columns.emplace_back("removed");
+    for (const std::string& name : names) {
+        for (const char* quantity : {"_bodies", "_mass", "_body_rate", "_mass_rate"})
+            columns.push_back(name + quantity);
+        if (scene.insertions.size() < 2) continue;
+        for (const InsertionGroup& group : scene.insertions) {
+            columns.push_back(name + "_" + group.name + "_bodies");
+            columns.push_back(name + "_" + group.name + "_mass");
+        }
+    }
+    return columns;
+}
+
 Outlets::Outlets(const Scene& scene, const Aabb& domain)
     : domain_(domain),
       domain_removes_(scene.run.domain_exit == DomainExit::remove),

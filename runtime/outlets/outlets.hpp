@@ -21,6 +21,9 @@ struct Outflow {
 /// Of the outlets of a scene, after them "domain" where its end takes bodies out.
 std::vector<std::string> outlet_names(const Scene& scene);
 
+/// Their columns in history.csv; none without outlets.
+std::vector<std::string> outlet_columns(const Scene& scene);
+
 /// Watches the outlets of a scene, after them the end of its domain where that takes bodies out
 /// (RunSettings::domain_exit). Fixed bodies are left alone.
 class Outlets {
@@ -56,8 +59,11 @@ class Outlets {
 
   private:
     static constexpr std::uint32_t none = 0xffffffffU;
+    /// The first outlet that takes a body out where it is now, or none.
     std::uint32_t outlet_of(const Scene& scene, const Particles& particles, std::uint32_t i) const;
+    /// Whether a point is behind the plane of an outlet that counts; false for others.
     bool is_behind(const Scene& scene, std::size_t outlet, const Vec3& x) const;
+    /// Books a body that went out, or passed a plane along its normal (1) or against it (-1).
     void count(std::size_t outlet, const Scene& scene, const Particles& particles, std::uint32_t i,
                int sign);
 

@@ -38,22 +38,6 @@ FrameContext frame_context(const Scene& scene) {
     return context;
 }
 
-std::vector<std::string> outlet_columns(const Scene& scene) {
-    const std::vector<std::string> names = outlet_names(scene);
-    std::vector<std::string> columns;
-    if (!names.empty()) columns.emplace_back("removed");
-    for (const std::string& name : names) {
-        for (const char* quantity : {"_bodies", "_mass", "_body_rate", "_mass_rate"})
-            columns.push_back(name + quantity);
-        if (scene.insertions.size() < 2) continue;
-        for (const InsertionGroup& group : scene.insertions) {
-            columns.push_back(name + "_" + group.name + "_bodies");
-            columns.push_back(name + "_" + group.name + "_mass");
-        }
-    }
-    return columns;
-}
-
 std::vector<std::string> history_columns(const Scene& scene) {
     std::vector<std::string> columns = {"time",
                                         "step",
@@ -351,7 +335,9 @@ void Outputs::write_end(const Simulation& simulation, const RunResult& result) c
     const Outlets& outlets = simulation.outlets();
     for (std::size_t o = 0; o < outlets.names().size(); ++o) {
         const Outflow total = outlets.total(o);
-        summary.outlets.push_back({outlets.names()[o], total.bodies, total.mass});
+        const bool counts = o < scene.outlets.size() && scene.outlets[o].kind == Outlet::Kind::flow;
+        summary.outlets.push_back(
+            {outlets.names()[o], counts ? "flow" : "remove", total.bodies, total.mass});
     }
     for (const MissingBodies& group : result.missing) {
         summary.missing.emplace_back(group.group, group.count - group.placed);

@@ -75,6 +75,7 @@ class Outputs {
   private:
     void write_frame(const Simulation& simulation);
     void write_row(const Simulation& simulation);
+    /// What went out until now, and per second since the last row; remembers both for the next.
     void add_outflow(const Simulation& simulation, std::vector<std::optional<double>>& row);
     void measure(const Simulation& simulation);
     void write_last_row(const Simulation& simulation);

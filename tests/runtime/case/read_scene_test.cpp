@@ -231,8 +231,14 @@ TEST(ReadScene, AnOutletThatCannotBeMeantIsRefused) {
               "c.ini:27: normal: found a plane beside 'region' in [outlet.drain], expected one of "
               "them");
     EXPECT_EQ(message("[outlet.domain]\nregion = box 0 0 -2 1 1 -1\n", "run.domain_exit=remove"),
-              "c.ini:25: found the name 'domain', which domain_exit = remove takes for its own "
-              "columns, expected another one");
+              "c.ini:25: the columns of [outlet.domain] in the history would have "
+              "'domain_bodies' twice, expected names of outlets and groups that differ");
+    EXPECT_EQ(
+        message("[outlet.far]\nregion = box 0 0 -2 1 1 -1\n", "run.domain=box -1 -1 -0.5 1 1 1"),
+        "c.ini:25: [outlet.far] lies outside of the domain, expected it where bodies get");
+    EXPECT_EQ(
+        message("[outlet.cover]\npoint = 0 0 11 mm\nnormal = 0 0 1\n", "particles.balls.fixed=yes"),
+        "fine");
 }
 
 TEST(ReadScene, APairThatCanMeetNeedsRestitutionAndFriction) {

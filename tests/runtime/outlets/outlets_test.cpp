@@ -181,6 +181,16 @@ TEST(Outlets, OfTheDomainTakeOutWhoLeavesIt) {
     EXPECT_EQ(simulation.outlets().total(0).bodies, 1);
 }
 
+TEST(Outlets, AreReachedHoweverFarTheyAre) {
+    Scene scene = spheres_at({{0.0, 0.0, 0.01}});
+    scenes::add_box(scene, {-0.1, -0.1, 0.0}, {0.1, 0.1, 0.1});
+    scene.walls.erase(scene.walls.begin() + 4);  // the bottom
+    scene.outlets.push_back(below(-3.0));
+    Simulation simulation(scene, 1e-3);
+    while (simulation.time() < 0.9) simulation.step();
+    EXPECT_EQ(simulation.outlets().total(0).bodies, 1);
+}
+
 TEST(Outlets, HoldWhatIsInTheirPlace) {
     const Outlet slab = below(0.5);
     EXPECT_TRUE(holds(slab, Vec3(7.0, 0.0, 0.4)));
