@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a ball feels of faces, edges, corners and rims.
+#include "runtime/contact/meshes/ball_touch.hpp"
 #include "tests/physics/mesh_wall_host.hpp"
 
 #include <gtest/gtest.h>
@@ -23,6 +24,27 @@ TEST(MeshWallSphere, AHundredTrianglesOfOnePlaneFeelAsOne) {
         });
     }
     EXPECT_LT(most / least - 1.0, 1e-9);
+}
+
+// Of a clump a sphere may be so small that the body hardly overlaps while its center goes through.
+TEST(MeshWallSphere, ACenterThatHasGoneThroughByMoreThanHalfItsRadiusIsLost) {
+    const MeshWall plate = mesh_wall(sample::plate({-0.1, -0.1}, {0.1, 0.1}, 1, 1));
+    MeshHistory front;
+    front.used = 1;
+    front.contacts[0].sides.fill(MeshHistory::none);
+    front.contacts[0].sides[0] = 0;
+    const auto is_lost = [&](double height, const MeshHistory& history) {
+        TouchedSides sides;
+        BallTouches touches(*plate.mesh, {0.01, -0.03, height * radius}, radius, history, sides);
+        touches.add(0);
+        touches.add(1);
+        return touches.is_lost();
+    };
+    EXPECT_FALSE(is_lost(0.9, front));
+    EXPECT_FALSE(is_lost(-0.4, front)) << "it is pushed back";
+    EXPECT_TRUE(is_lost(-0.6, front));
+    EXPECT_FALSE(is_lost(-0.95, front)) << "a first touch of the back";
+    EXPECT_FALSE(is_lost(-0.6, MeshHistory{}));
 }
 
 TEST(MeshWallSphere, AValleyOfTwoDegreesIsCrossedWithoutAJumpInForce) {
