@@ -30,6 +30,11 @@ std::vector<double> surface_reach(const Scene& scene) {
     return reach;
 }
 
+/// Of the wall where a point is [m/s].
+Vec3 velocity_at(const WallState& wall, const Vec3& x) {
+    return wall.body.velocity + wall.body.angular_velocity.cross(x - wall.position);
+}
+
 }  // namespace
 
 Simulation::Simulation(Scene scene, double dt)
@@ -146,11 +151,14 @@ void Simulation::check_bodies() const {
 void Simulation::check_tunnels() const {
     const auto tunnel = tunnels_.find(bodies(), time(), dt_);
     if (!tunnel) return;
-    throw Error(here(), "particle " + std::to_string(particles_.id[tunnel->particle]) +
-                            " has gone through wall " + in_quotes(scene_.walls[tunnel->wall].name) +
+    const auto [i, w] = *tunnel;
+    const Vec3 across =
+        particles_.velocity[i] - velocity_at(walls_.state[w], particles_.position[i]);
+    throw Error(here(), "particle " + std::to_string(particles_.id[i]) + " has gone through wall " +
+                            in_quotes(scene_.walls[w].name) +
                             format(" in one step, at %.3g m/s, expected a shorter time step or "
                                    "slower bodies and walls",
-                                   particles_.velocity[tunnel->particle].norm()));
+                                   across.norm()));
 }
 
 void Simulation::check_overlap() const {
@@ -171,12 +179,8 @@ void Simulation::check_overlap() const {
     };
     std::string cause = "they do from the start";
     if (!is_new(i) && (is_wall || !is_new(j))) {
-        const WallState* wall = is_wall ? &walls_.state[j] : nullptr;
         const Vec3 other =
-            is_wall
-                ? Vec3(wall->body.velocity +
-                       wall->body.angular_velocity.cross(particles_.position[i] - wall->position))
-                : particles_.velocity[j];
+            is_wall ? velocity_at(walls_.state[j], particles_.position[i]) : particles_.velocity[j];
         const std::uint32_t kind = particles_.kind[i];
         cause = overlap_cause(scene_,
                               is_wall ? encounter_with_wall(scene_, kind, scene_.walls[j].material)

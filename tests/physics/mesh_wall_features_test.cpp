@@ -47,6 +47,26 @@ TEST(MeshWallSphere, ACenterThatHasGoneThroughByMoreThanHalfItsRadiusIsLost) {
     EXPECT_FALSE(is_lost(-0.6, MeshHistory{}));
 }
 
+// So that friction goes on where a ball passes it from above to below.
+TEST(MeshWallSphere, TheFrontAndTheBackMeetInOneContactAtRimsAndTheirCorners) {
+    const MeshWall plate = mesh_wall(sample::plate({-0.1, -0.1}, {0.1, 0.1}, 1, 1));
+    const auto are_one = [&](const Vec3& center) {
+        TouchedSides sides;
+        BallTouches touches(*plate.mesh, center, radius, {}, sides);
+        touches.add(0);
+        touches.add(1);
+        return sides.contact_of(sides.number_of(0)) == sides.contact_of(sides.number_of(1));
+    };
+    EXPECT_TRUE(are_one({0.1 + 0.9 * radius, 0.02, 0.1 * radius})) << "at a rim";
+    for (const double x : {-1.0, 1.0}) {
+        for (const double y : {-1.0, 1.0}) {
+            const Vec3 corner(0.1 * x, 0.1 * y, 0.0);
+            EXPECT_TRUE(are_one(corner + 0.6 * radius * Vec3(x, y, 0.1))) << x << ' ' << y;
+        }
+    }
+    EXPECT_FALSE(are_one({0.01, 0.02, 0.9 * radius})) << "over a face";
+}
+
 TEST(MeshWallSphere, AValleyOfTwoDegreesIsCrossedWithoutAJumpInForce) {
     const MeshWall wall = mesh_wall(sample::valley(2.0 * pi / 180.0, 0.05, 0.1));
     const auto largest_jump = [&](int steps) {

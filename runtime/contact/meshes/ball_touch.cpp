@@ -62,8 +62,7 @@ double BallTouches::add(std::uint32_t t) {
     const bool is_near = square(distance) - square(height) <= square(widest_blend * radius_);
     if (is_near && is_blended(t, nearest, is_front)) keep(overlap, normal, side, true);
     if (!is_nearest(t, nearest)) return distance;
-    if (nearest.is_edge() && distance < radius_)
-        join_around(3 * t + nearest.part - 3, center_ - nearest.point);
+    if (distance < radius_) join_sides(t, nearest);
     // So near that rounding would say where it points.
     const bool has_direction = distance > 1e-6 * radius_;
     keep(radius_ - distance, has_direction ? Vec3((center_ - nearest.point) / distance) : normal,
@@ -90,6 +89,17 @@ bool BallTouches::is_nearest(std::uint32_t t, const TrianglePoint& nearest) cons
     for (std::uint32_t h = mesh_.twins[half_edge]; h != half_edge; h = mesh_.twins[h])
         if (leads_nearer(mesh_.corner(h / 3, (h + 2) % 3) - nearest.point)) return false;
     return true;
+}
+
+/// At a corner the edges of each of its triangles come in turn.
+void BallTouches::join_sides(std::uint32_t t, const TrianglePoint& nearest) {
+    const Vec3 from = center_ - nearest.point;
+    if (nearest.is_edge()) {
+        join_around(3 * t + nearest.part - 3, from);
+        return;
+    }
+    join_around(3 * t + nearest.part, from);
+    join_around(3 * t + (nearest.part + 2) % 3, from);
 }
 
 /// The sides that meet in an edge are those of one contact; around a rim the front becomes the

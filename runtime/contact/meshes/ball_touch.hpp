@@ -103,6 +103,7 @@ class BallTouches {
     };
 
     bool is_nearest(std::uint32_t t, const TrianglePoint& nearest) const;
+    void join_sides(std::uint32_t t, const TrianglePoint& nearest);
     void join_around(std::uint32_t half_edge, const Vec3& from);
     bool is_hollow_around(std::uint32_t t, std::uint32_t corner, bool is_front) const;
     bool is_blended(std::uint32_t t, const TrianglePoint& nearest, bool is_front) const;
