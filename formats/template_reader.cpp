@@ -65,8 +65,7 @@ class Decoder {
     WallTemplate decode_wall(const schema::Shape& shape) const {
         const schema::WallMesh* mesh = shape.data_as_WallMesh();
         if (mesh == nullptr) {
-            throw Error(where_, "is " + std::string(schema::EnumNameShapeData(shape.data_type())) +
-                                    ", a particle, expected a wall made by shapegen --wall");
+            throw Error(where_, "is a particle, expected a wall made by shapegen --wall");
         }
         WallTemplate result{shape.name()->str(), shape.input_unit(), certificate(shape), {}};
         WallMesh& wall = result.mesh;

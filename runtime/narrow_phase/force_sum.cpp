@@ -45,8 +45,12 @@ ContactSum contact_sum(NeighborLists& lists, std::uint32_t i) {
     return sum;
 }
 
-Vec3 weight(const Particles& particles, const Scene& scene, std::uint32_t i) {
-    return scene.kinds[particles.kind[i]].mass * scene.run.gravity;
+ContactSum set_force(Particles& particles, NeighborLists& lists, const Scene& scene,
+                     std::uint32_t i) {
+    const ContactSum sum = contact_sum(lists, i);
+    particles.force[i] = sum.force + scene.kinds[particles.kind[i]].mass * scene.run.gravity;
+    particles.torque[i] = sum.torque;
+    return sum;
 }
 
 }  // namespace
@@ -57,9 +61,7 @@ void sum_forces(Particles& particles, NeighborLists& lists, const Scene& scene,
     particles.torque.swap(particles.old_torque);
     share_each(particles.size(), bodies_at_a_time, [&](std::size_t k) {
         const auto i = static_cast<std::uint32_t>(k);
-        const ContactSum sum = contact_sum(lists, i);
-        particles.force[i] = sum.force + weight(particles, scene, i);
-        particles.torque[i] = sum.torque;
+        const ContactSum sum = set_force(particles, lists, scene, i);
         ledger.dissipated[i] += sum.dissipated;
         ledger.wall_work[i] += sum.wall_work;
     });
@@ -67,10 +69,7 @@ void sum_forces(Particles& particles, NeighborLists& lists, const Scene& scene,
 
 void sum_remaining_forces(Particles& particles, NeighborLists& lists, const Scene& scene) {
     share_each(particles.size(), bodies_at_a_time, [&](std::size_t k) {
-        const auto i = static_cast<std::uint32_t>(k);
-        const ContactSum sum = contact_sum(lists, i);
-        particles.force[i] = sum.force + weight(particles, scene, i);
-        particles.torque[i] = sum.torque;
+        set_force(particles, lists, scene, static_cast<std::uint32_t>(k));
     });
 }
 
