@@ -47,7 +47,7 @@ ContactSum contact_sum(NeighborLists& lists, std::uint32_t i) {
 
 ContactSum set_force(Particles& particles, NeighborLists& lists, const Scene& scene,
                      std::uint32_t i) {
-    const ContactSum sum = contact_sum(lists, i);
+    ContactSum sum = contact_sum(lists, i);
     particles.force[i] = sum.force + scene.kinds[particles.kind[i]].mass * scene.run.gravity;
     particles.torque[i] = sum.torque;
     return sum;
