@@ -39,7 +39,7 @@ std::unique_ptr<Simulation> Rewind::back_to(std::uint64_t steps, const Simulatio
     simulation->load(reader);
     reader.finish();
     while (simulation->steps() < steps) {
-        simulation->step();
+        simulation->step(simulation->steps() + 1 == steps);
         if (!is_finite(*simulation)) return back_to(simulation->steps() - 1, failed);
     }
     return simulation;

@@ -17,18 +17,14 @@ class Rewind {
     /// Keeps the present state. `now`: Progress::steady_seconds().
     Rewind(const Simulation& simulation, double now) { keep(simulation, now); }
 
-    /// Keeps the present state if that is due.
-    void keep_when_due(const Simulation& simulation, double now) {
-        if (now >= next_) keep(simulation, now);
-    }
+    bool is_due(double now) const { return now >= next_; }
+    void keep(const Simulation& simulation, double now);
 
     /// A simulation of the same scene after `steps` steps, no fewer than those of the state kept,
     /// or after the last of them that ended with finite numbers.
     std::unique_ptr<Simulation> back_to(std::uint64_t steps, const Simulation& failed) const;
 
   private:
-    void keep(const Simulation& simulation, double now);
-
     Checkpoint state_;
     double next_ = 0.0;  ///< when it is due again
 };

@@ -116,6 +116,27 @@ std::string reason_of(RunResult::End end, const AtRest& at_rest, const RunOption
     return "";
 }
 
+/// Whether frames can have the contacts of the present state if they are asked for.
+bool knows_contacts(const Simulation& simulation) {
+    return !simulation.scene().output.contacts || simulation.contacts() != nullptr;
+}
+
+/// Keeps the present state where that is due: on disk, and in memory for the way back. A state that
+/// does not know its contacts is not kept, for it may become the last. Returns whether the next one
+/// is wanted for that.
+bool keep_state(RunParts& run, CheckpointClock& checkpoints) {
+    const double now = Progress::steady_seconds();
+    const bool is_checkpoint_due = checkpoints.is_due(now);
+    if (!is_checkpoint_due && !run.rewind.is_due(now)) return false;
+    if (!knows_contacts(*run.simulation)) return true;
+    if (is_checkpoint_due) {
+        make_checkpoint(run);
+        checkpoints.restart();
+    }
+    if (run.rewind.is_due(now)) run.rewind.keep(*run.simulation, now);
+    return false;
+}
+
 /// Steps until something ends the run. The last state is left to Outputs::finish.
 void run_steps(RunParts& run, const RunOptions& options, std::uint64_t last_step,
                RunResult& result) {
@@ -125,14 +146,12 @@ void run_steps(RunParts& run, const RunOptions& options, std::uint64_t last_step
     CheckpointClock checkpoints(simulation.scene().output.checkpoint_every);
     std::optional<RunResult::End> end;
     while (!(end = end_of_run(simulation, run.at_rest, options, last_step))) {
-        const double now = Progress::steady_seconds();
-        if (checkpoints.is_due(now)) {
-            make_checkpoint(run);
-            checkpoints.restart();
-        }
+        const bool wants_next = keep_state(run, checkpoints);
         run.outputs.sample(simulation);
-        run.rewind.keep_when_due(simulation, now);
-        simulation.step();
+        const std::uint64_t next = simulation.steps() + 1;
+        const bool is_shown =
+            run.outputs.will_ask_for_contacts(static_cast<double>(next) * simulation.time_step());
+        simulation.step(wants_next || is_shown || next == last_step);
         ++run.good_steps;
         if (stop_at_rest) run.at_rest.look(simulation);
         result.particle_steps += simulation.particles().size();
@@ -147,6 +166,8 @@ std::exception_ptr run_to_end(RunParts& run, const RunOptions& options, std::uin
                               RunResult& result) {
     try {
         run_steps(run, options, last_step, result);
+        if (!knows_contacts(*run.simulation))
+            run.simulation = run.rewind.back_to(run.good_steps, *run.simulation);
         return nullptr;
     } catch (const std::exception& error) {
         result.end = RunResult::End::failed;

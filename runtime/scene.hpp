@@ -109,13 +109,20 @@ struct RunSettings {
     int lanes = 0;
 };
 
+/// Which walls have columns of forces in the history: none, each [wall.NAME], or each of its faces,
+/// too.
+enum class WallForceColumns : std::uint8_t { none, whole, faces };
+
 struct OutputSettings {
     std::string directory;
     /// [s]; 0: none but the first and the last; none given: a hundredth of the end time.
     std::optional<double> frames_every = 0.0;
     std::optional<double> history_every = 0.0;  ///< [s]; none given: a thousandth of the end time
     double checkpoint_every = 600.0;            ///< wall time between checkpoints [s]
+    WallForceColumns wall_forces = WallForceColumns::none;
     bool surfaces = false;
+    bool contacts = false;       ///< every contact in every frame
+    bool wall_contacts = false;  ///< what is done to triangles of walls, in every frame
     bool picture = true;
 };
 

@@ -47,6 +47,7 @@ Simulation::Simulation(Scene scene, double dt)
       integrator_(make_integrator(scene_, surface_reach_)),
       wall_margins_(wall_margins(scene_)),
       tunnels_(scene_),
+      wall_loads_(scene_),
       inserter_(scene_),
       outlets_(scene_, domain_),
       walls_(place_walls(scene_.walls)),
@@ -56,12 +57,15 @@ Simulation::Simulation(Scene scene, double dt)
     check_bodies();
     // Bodies from the end of another run may touch from the start.
     rebuild_lists();
+    scratch_.looks = scene_.output.contacts ? Looks::at_all : Looks::at_none;
     largest_overlap_ = compute_contacts(lists_, bodies(), 0.0, scratch_);
     sum_forces(particles_, lists_, scene_, ledger_);
 }
 
 // Algorithm 1 of docs/time-loop.md.
-void Simulation::step() {
+void Simulation::step(bool looks) {
+    scratch_.looks = wall_loads_.is_empty() ? Looks::at_none : Looks::at_walls;
+    if (looks && scene_.output.contacts) scratch_.looks = Looks::at_all;
     const StepTeam::Step together(team_);                 // threads: docs/threads.md
     advance(particles_, scene_.kinds, integrator_, dt_);  // 1-3 x(t + dt), a guess of v(t + dt)
     ++steps_;
@@ -72,6 +76,7 @@ void Simulation::step() {
     largest_overlap_ = compute_contacts(                // 7  narrow phase, contact laws
         lists_, bodies(), dt_, scratch_);
     core_overlaps_ += scratch_.cores_met;
+    if (!wall_loads_.is_empty()) wall_loads_.add(scratch_.seen, bodies(), dt_);
     check_overlap();                                  // 8
     sum_forces(particles_, lists_, scene_, ledger_);  // 9
     book(scratch_.partings, ledger_);
@@ -90,6 +95,7 @@ void Simulation::let_out() {
     ledger_.removed += remove_bodies(lists_, leaving);
     particles_.remove(leaving);
     ledger_.remove(leaving);
+    forget_missing(particles_.id, scratch_.seen);
     sum_remaining_forces(particles_, lists_, scene_);
     outlets_.settle(scene_, particles_);
 }

@@ -13,6 +13,7 @@
 #include "runtime/scene.hpp"
 #include "runtime/walls/moving_walls.hpp"
 #include "runtime/walls/tunnels.hpp"
+#include "runtime/walls/wall_loads.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -34,8 +35,10 @@ class Simulation {
 
     /// One time step (docs/time-loop.md). Throws Error with step, time and ids when a body has left
     /// the domain, has gone through a mesh wall, is nowhere (not a number) or overlaps by more than
-    /// RunSettings::overlap_limit. The state is then that of the failed step.
-    void step();
+    /// RunSettings::overlap_limit. The state is then that of the failed step. `looks`: whether it
+    /// notes its contacts one by one where OutputSettings::contacts asks for them, which takes
+    /// longer and changes no bit.
+    void step(bool looks = false);
 
     double time() const { return static_cast<double>(steps_) * dt_; }  ///< [s]
     double time_step() const { return dt_; }                           ///< [s]
@@ -51,6 +54,12 @@ class Simulation {
     const LargestOverlap& largest_overlap() const { return largest_overlap_; }  ///< of this step
     /// Contacts in which the cores of two convex bodies have overlapped, so far.
     std::uint64_t core_overlaps() const { return core_overlaps_; }
+    /// The contacts of this step between bodies that are still there, world frame, before the last
+    /// correction of velocities; null unless the step looked. Those at time 0 are known, too.
+    const std::vector<SeenContact>* contacts() const {
+        return scratch_.looks == Looks::at_all ? &scratch_.seen : nullptr;
+    }
+    const WallLoads& wall_loads() const { return wall_loads_; }
     const StepTeam& team() const { return team_; }
     LaneUse lanes() const { return lane_use(scratch_); }         ///< of this step
     double inserted_energy() const { return inserted_energy_; }  ///< of all bodies when new [J]
@@ -86,6 +95,7 @@ class Simulation {
     Integrator integrator_;
     std::vector<double> wall_margins_;
     TunnelWatch tunnels_;
+    WallLoads wall_loads_;
     Inserter inserter_;
     Outlets outlets_;
     Particles particles_;

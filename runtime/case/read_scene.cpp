@@ -156,6 +156,14 @@ void check_mesh_wall(const Scene& scene, const InsertionGroup& group, const Wall
     }
 }
 
+void check_wall_contacts(const Values& values, const Scene& scene) {
+    if (!scene.output.wall_contacts) return;
+    for (const Wall& wall : scene.walls)
+        if (std::holds_alternative<MeshWall>(wall.shape)) return;
+    throw Error(values.where("wall_contacts"),
+                "found yes and no wall of triangles, expected one of 'shape = mesh'");
+}
+
 }  // namespace
 
 std::string own_name(const std::string& section) {
@@ -180,7 +188,10 @@ Scene read_scene(const CaseFile& file) {
     read_laws(file, scene);
     const CaseSection nothing{"output", file.path, {}};
     scene.output = read_output(Values(nothing, *section_kind("output")), scene.run);
-    for_each(file, "output", [&](const Values& v) { scene.output = read_output(v, scene.run); });
+    for_each(file, "output", [&](const Values& v) {
+        scene.output = read_output(v, scene.run);
+        check_wall_contacts(v, scene);
+    });
     for_each(file, "measure.NAME",
              [&](const Values& v) { scene.measures.push_back(read_measure(v)); });
     for (const InsertionGroup& group : scene.insertions) {

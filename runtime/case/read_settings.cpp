@@ -99,7 +99,10 @@ OutputSettings read_output(const Values& values, const RunSettings& run) {
                     "expected a longer interval");
     }
     output.checkpoint_every = values.number("checkpoint_every");
+    output.wall_forces = values.choice<WallForceColumns>("wall_forces");
     output.surfaces = values.yes_no("surfaces");
+    output.contacts = values.yes_no("contacts");
+    output.wall_contacts = values.yes_no("wall_contacts");
     output.picture = values.yes_no("picture");
     return output;
 }

@@ -181,6 +181,8 @@ void read_wall(const Values& values, Scene& scene) {
     base.name = own_name(values.section_name());
     base.material = material_index(scene, values.text("material"), values.where("material"));
     base.motion = read_motion(values, shape);
+    base.torque_point =
+        values.optional_vector("torque_point").value_or(rotation_point(values, shape));
     switch (shape) {
         case Shape::plane:
             scene.walls.push_back(

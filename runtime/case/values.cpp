@@ -262,6 +262,12 @@ Vec3 Values::vector(std::string_view key) const {
     return {v[0], v[1], v[2]};
 }
 
+std::optional<Vec3> Values::optional_vector(std::string_view key) const {
+    const std::string value = text(key);
+    if (value.empty() || contains(key_of(key).words, value)) return std::nullopt;
+    return vector(key);
+}
+
 Vec3 Values::direction(std::string_view key) const {
     const Vec3 v = vector(key);
     const double length = v.stableNorm();

@@ -47,6 +47,7 @@ class Values {
 
     // The same where a word ("auto") or nothing at all may stand instead: nullopt.
     std::optional<double> optional_number(std::string_view key) const;
+    std::optional<Vec3> optional_vector(std::string_view key) const;
     /// `radius`, or half of `diameter` where the section says that [m].
     std::optional<double> radius() const;
     std::optional<Quat> optional_orientation(std::string_view key) const;

@@ -63,8 +63,11 @@ void Simulation::visit_state(Self& self, Visit& visit) {
     visit("largest_overlap.ids", self.largest_overlap_.ids);
     visit("largest_overlap.is_wall", self.largest_overlap_.is_wall);
     visit("core_overlaps", self.core_overlaps_);
+    visit("contacts_seen.looks", self.scratch_.looks);
+    visit("contacts_seen", self.scratch_.seen);
     Inserter::visit_state(self.inserter_, visit);
     Outlets::visit_state(self.outlets_, visit);
+    WallLoads::visit_state(self.wall_loads_, visit);
 }
 
 void Simulation::save(StateWriter& writer) const {
@@ -79,6 +82,8 @@ void Simulation::load(StateReader& reader) {
         !outlets_.fits()) {
         reader.fail("holds arrays of other lengths than this case has");
     }
+    if (!wall_loads_.fits())
+        reader.fail("was made with another setting of wall_contacts, which must stay");
     particles_.old_force.assign(particles_.size(), Vec3::Zero());
     particles_.old_torque.assign(particles_.size(), Vec3::Zero());
     outlets_.settle(scene_, particles_);

@@ -56,6 +56,13 @@ struct PairContact {
     std::uint32_t points = 0;        ///< contact points; 0: the bodies do not touch
     bool cores_met = false;          ///< two convex cores overlap for the first time
 
+    // How the force is made up, for who looks at contacts; no step needs it.
+    Vec3 place = Vec3::Zero();     ///< where the load acts, relative to the center of i [m]
+    Vec3 normal = Vec3::Zero();    ///< unit, from j towards i
+    Vec3 friction = Vec3::Zero();  ///< part of the force that friction is, on i [N]
+    double friction_limit = 0.0;   ///< at which friction slips [N]
+    double normal_force = 0.0;     ///< sizes of the forces along the normals of the points [N]
+
     bool touches() const { return points != 0; }
 };
 
@@ -88,6 +95,8 @@ struct Scratch {
     /// contact_room() of any clump.
     std::vector<ContactPoint>* points = nullptr;
     ConvexScratch* features = nullptr;  ///< of kernels of convex shapes
+    /// Takes the contacts of a pair that touches in several, for who looks at them one by one.
+    std::vector<PairContact>* several = nullptr;
 };
 
 /// What a kernel is called with, besides the two shapes.

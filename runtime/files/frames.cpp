@@ -4,6 +4,7 @@
 #include "common/atomic_file.hpp"
 #include "common/error.hpp"
 #include "common/parts_hash.hpp"
+#include "runtime/files/frame_tables.hpp"
 #include "runtime/files/hdf5_file.hpp"
 #include "runtime/files/hdf5_reader.hpp"
 #include "runtime/files/taken_up.hpp"
@@ -84,40 +85,6 @@ constexpr std::array<const char*, 9> table_names = {
     "position", "id",    "orientation",  "velocity", "angular_velocity",
     "shape",    "group", "coordination", "force"};
 
-/// One table of a frame: in the file and in the index.
-class FrameTables {
-  public:
-    FrameTables(Hdf5File& file, std::string group, std::string place)
-        : file_(file), group_(std::move(group)), place_(std::move(place)) {
-        file_.make_group(group_);
-    }
-
-    /// The hash of all tables so far and the entry in the index.
-    std::uint64_t hash(const std::string& entry) {
-        hash_.add(entry);
-        return hash_.value();
-    }
-
-    XdmfTable add(const std::string& name, std::span<const double> values, std::size_t columns,
-                  const char* units) {
-        hash_.add(std::as_bytes(values));
-        file_.write(group_ + name, values, columns);
-        file_.describe(group_ + name, "units", units);
-        return {place_ + name, values.size() / columns, columns, "Float", 8};
-    }
-    XdmfTable add(const std::string& name, std::span<const std::uint32_t> values) {
-        hash_.add(std::as_bytes(values));
-        file_.write(group_ + name, values);
-        return {place_ + name, values.size(), 1, "UInt", 4};
-    }
-
-  private:
-    Hdf5File& file_;
-    std::string group_;
-    std::string place_;
-    PartsHash hash_;
-};
-
 XdmfGrid write_tables(FrameTables& tables, const Frame& frame) {
     XdmfGrid grid;
     grid.time = frame.time;
@@ -184,7 +151,7 @@ FrameWriter::FrameWriter(const std::filesystem::path& directory, const FrameCont
                          std::span<const ParticleTemplate> shapes)
     : path_(directory / "frames.h5"), index_(directory / "frames.xdmf", "particles") {
     begin(context, shapes);
-    if (context.surfaces) surfaces_ = std::make_unique<SurfaceWriter>(directory, shapes, 0);
+    begin_others(directory, context, shapes);
 }
 
 FrameWriter::FrameWriter(const std::filesystem::path& directory, const FrameContext& context,
@@ -197,7 +164,18 @@ FrameWriter::FrameWriter(const std::filesystem::path& directory, const FrameCont
     } else {
         take_up_or_say_how(path_, "frames", [this] { take_up(); });
     }
-    if (context.surfaces) surfaces_ = std::make_unique<SurfaceWriter>(directory, shapes, frames);
+    begin_others(directory, context, shapes);
+}
+
+/// The files beside frames.h5, which have as many frames.
+void FrameWriter::begin_others(const std::filesystem::path& directory, const FrameContext& context,
+                               std::span<const ParticleTemplate> shapes) {
+    if (context.surfaces) surfaces_ = std::make_unique<SurfaceWriter>(directory, shapes, count_);
+    if (context.contacts)
+        contacts_ = std::make_unique<ContactWriter>(directory, context.walls, count_);
+    if (context.wall_contacts != nullptr)
+        wall_contacts_ =
+            std::make_unique<WallContactWriter>(directory, *context.wall_contacts, count_);
 }
 
 void FrameWriter::begin(const FrameContext& context, std::span<const ParticleTemplate> shapes) {
@@ -263,7 +241,7 @@ void FrameWriter::append(const Frame& frame) {
     const std::string name = frame_name(count_);
     const std::string group = "/frames/" + name + "/";
     Hdf5File file(*disk_);
-    FrameTables tables(file, group, "frames.h5:" + group);
+    FrameTables tables(file, group);
     XdmfGrid grid = write_tables(tables, frame);
     grid.cells = points(file, frame.position.size());
     file.describe(group, "time", frame.time);
@@ -277,11 +255,15 @@ void FrameWriter::append(const Frame& frame) {
     ++count_;
     index_.append(entry);
     if (surfaces_) surfaces_->append(frame, name);
+    if (contacts_) contacts_->append(*frame.contacts, name);
+    if (wall_contacts_) wall_contacts_->append(*frame.wall_contacts, name);
 }
 
 void FrameWriter::secure() {
     disk_->secure();
     if (surfaces_) surfaces_->secure();
+    if (contacts_) contacts_->secure();
+    if (wall_contacts_) wall_contacts_->secure();
 }
 
 }  // namespace dem::runtime

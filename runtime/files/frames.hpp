@@ -2,8 +2,10 @@
 #pragma once
 
 #include "common/shapes/particle_template.hpp"
+#include "runtime/files/contact_series.hpp"
 #include "runtime/files/journaled_file.hpp"
 #include "runtime/files/surfaces.hpp"
+#include "runtime/files/wall_contact_series.hpp"
 #include "runtime/files/xdmf_series.hpp"
 
 #include <cstdint>
@@ -20,7 +22,7 @@ namespace dem::runtime {
 class Hdf5File;
 
 /// One moment, world frame, SI. All arrays have one entry per particle; `coordination` and `force`
-/// may be left empty.
+/// may be left empty. Contacts and loads of walls must be there where FrameContext asks for them.
 struct Frame {
     double time = 0.0;  ///< [s]
     std::uint64_t step = 0;
@@ -33,13 +35,19 @@ struct Frame {
     std::span<const std::uint32_t> group;         ///< index into the groups of the writer
     std::span<const std::uint32_t> coordination;  ///< contacts of the particle
     std::span<const Vec3> force;                  ///< [N]
+    const ContactTable* contacts = nullptr;
+    const WallContactTable* wall_contacts = nullptr;
 };
 
 /// What is the same in all frames.
 struct FrameContext {
     std::string case_path;
-    std::vector<std::string> groups;  ///< names of the particle groups
-    bool surfaces = false;            ///< also write every particle's surface (surfaces.hpp)
+    std::vector<std::string> groups;      ///< names of the particle groups
+    bool surfaces = false;                ///< also write every particle's surface (surfaces.hpp)
+    bool contacts = false;                ///< also write every contact (contact_series.hpp)
+    std::vector<std::string> walls = {};  ///< names that contacts refer to
+    /// Also write what is done to these triangles (wall_contact_series.hpp).
+    const WallTriangles* wall_contacts = nullptr;
 };
 
 /// Appends frames to DIR/frames.h5. After each append the files are complete: whatever ends the
@@ -67,6 +75,8 @@ class FrameWriter {
 
   private:
     void begin(const FrameContext& context, std::span<const ParticleTemplate> shapes);
+    void begin_others(const std::filesystem::path& directory, const FrameContext& context,
+                      std::span<const ParticleTemplate> shapes);
     void take_up();
     XdmfTable points(Hdf5File& file, std::size_t count) const;
 
@@ -76,6 +86,8 @@ class FrameWriter {
     XdmfTable points_;  ///< 0, 1, 2, ..., shared by frames of as many particles
     XdmfSeries index_;
     std::unique_ptr<SurfaceWriter> surfaces_;
+    std::unique_ptr<ContactWriter> contacts_;
+    std::unique_ptr<WallContactWriter> wall_contacts_;
 };
 
 }  // namespace dem::runtime

@@ -5,6 +5,7 @@
 #include "runtime/files/plain_values.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,6 +33,8 @@ class Hdf5File {
     Hdf5File& operator=(const Hdf5File&) = delete;
 
     void close();
+
+    const std::filesystem::path& path() const { return disk_.path(); }
 
     /// Makes a group in one that exists.
     void make_group(const std::string& name);

@@ -24,13 +24,13 @@ std::string data_item(const XdmfTable& table) {
 }
 
 std::string grid_text(const XdmfGrid& grid, std::size_t number) {
-    const bool is_surface = grid.cells.columns == 3;
+    const char* topology = "Polyvertex\" NodesPerElement=\"1\"";
+    if (grid.cells.columns == 2) topology = "Polyline\" NodesPerElement=\"2\"";
+    if (grid.cells.columns == 3) topology = "Triangle\"";
     std::string text = "   <Grid Name=\"" + std::to_string(number) + "\" GridType=\"Uniform\">\n";
     text += "    <Time Value=\"" + number_text(grid.time) + "\"/>\n";
-    text += std::string("    <Topology TopologyType=\"") +
-            (is_surface ? "Triangle\"" : "Polyvertex\" NodesPerElement=\"1\"") +
-            " NumberOfElements=\"" + std::to_string(grid.cells.rows) + "\">" +
-            data_item(grid.cells) + "</Topology>\n";
+    text += std::string("    <Topology TopologyType=\"") + topology + " NumberOfElements=\"" +
+            std::to_string(grid.cells.rows) + "\">" + data_item(grid.cells) + "</Topology>\n";
     text += "    <Geometry GeometryType=\"XYZ\">" + data_item(grid.points) + "</Geometry>\n";
     for (const XdmfAttribute& a : grid.attributes) {
         text += "    <Attribute Name=\"" + a.name + "\" AttributeType=\"" + a.kind +

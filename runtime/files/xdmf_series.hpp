@@ -24,7 +24,7 @@ struct XdmfAttribute {
     XdmfTable table;
 };
 
-/// One moment: points, or triangles when `cells` has three columns.
+/// One moment: points, lines when `cells` has two columns, or triangles when it has three.
 struct XdmfGrid {
     double time = 0.0;  ///< [s]
     XdmfTable cells;

@@ -92,6 +92,7 @@ struct Worker {
     double dt;
     typename List::Changes& changes;
     NarrowPhaseScratch::Thread& scratch;
+    bool looks;
 
     using A = typename List::A;
     using B = typename List::B;
@@ -129,13 +130,15 @@ struct Worker {
         const Memory memory{history, list.caches[k]};
         const PairState pair = partner.pair(ids);
         const ContactLaw& law = partner.law(ids);
-        const Scratch room{&scratch.points, &scratch.convex};
+        scratch.several.clear();
+        const Scratch room{&scratch.points, &scratch.convex, looks ? &scratch.several : nullptr};
         const bool is_reversed = reverses(ids);
         const auto& a = *std::get_if<A>(&bodies.shape(is_reversed ? ids.j : ids.i).shape);
         const B& b = partner.template shape<B>(is_reversed ? ids.i : ids.j);
         const PairContact contact =
             is_reversed
-                ? reversed(collide(a, b, Call{reversed(pair), law, dt, memory, travel, room}))
+                ? reversed(collide(a, b, Call{reversed(pair), law, dt, memory, travel, room}),
+                           pair.displacement)
                 : collide(a, b, Call{pair, law, dt, memory, travel, room});
 
         const std::uint32_t r = list.first_result + k;
@@ -149,8 +152,14 @@ struct Worker {
         lists.results[r] = {
             contact.force,          contact.torque_i,          contact.torque_j,
             contact.elastic_energy, contact.dissipated_energy, partner.work(pair, contact, dt)};
+        if constexpr (List::has_walls)
+            list.parts[k] = {contact.normal_force, contact.friction.norm()};
         list.quiet_until[k] = List::never_quiet;
         if (contact.cores_met) ++scratch.cores_met;
+        if (looks) {
+            if (scratch.several.empty()) scratch.several.push_back(contact);
+            note(scratch.several, {ids, Partner::is_wall, is_new}, partner.bodies, scratch.seen);
+        }
         if (is_new) changes.begun.push_back({k, fresh});
         look_at_overlap(contact.overlap, ids, r);
     }
@@ -186,7 +195,8 @@ struct Worker {
                                          &partner.law(ids),
                                          &history,
                                          &spring_of(history),
-                                         &lists.results[list.first_result + k]};
+                                         &lists.results[list.first_result + k],
+                                         List::has_walls ? &list.parts[k] : nullptr};
     }
 
     /// Computes what the block holds, the rare ones among it one by one.
@@ -229,14 +239,17 @@ void compute_part(List& list, NeighborLists& lists, const Partner& partner, doub
     const std::size_t begin = std::max<std::size_t>(part.begin, list.first_result);
     const std::size_t end = std::min<std::size_t>(part.end, list.first_result + list.size());
     if (begin >= end) return;
+    const bool looks =
+        scratch.looks == Looks::at_all || (Partner::is_wall && scratch.looks == Looks::at_walls);
     Worker<List, Partner> worker{
-        list, lists, partner, dt, list.changes[part.worker], scratch.threads[part.worker]};
+        list, lists, partner, dt, list.changes[part.worker], scratch.threads[part.worker], looks};
     const auto first = static_cast<std::uint32_t>(begin) - list.first_result;
     const auto last = static_cast<std::uint32_t>(end) - list.first_result;
     constexpr LaneKernel LaneKernels::*kernel_of = kernel_of_row<typename List::Row>();
     if constexpr (kernel_of != nullptr) {
         const LaneKernel kernel = scratch.lanes.kernels->*kernel_of;
-        if (kernel != nullptr) {
+        // Kernels tell no more than a step needs.
+        if (kernel != nullptr && !looks) {
             worker.compute_in_lanes(first, last, kernel, scratch.lanes);
             return;
         }
@@ -316,6 +329,19 @@ LaneUse lane_use(const NarrowPhaseScratch& scratch) {
     return use;
 }
 
+namespace {
+
+void gather_seen(NarrowPhaseScratch& scratch) {
+    scratch.seen.clear();
+    for (auto& thread : scratch.threads) {
+        scratch.seen.insert(scratch.seen.end(), thread.seen.begin(), thread.seen.end());
+        thread.seen.clear();
+    }
+    put_in_order(scratch.seen);
+}
+
+}  // namespace
+
 LargestOverlap compute_contacts(NeighborLists& lists, const Bodies& bodies, double dt,
                                 NarrowPhaseScratch& scratch) {
     for (auto& thread : scratch.threads) {
@@ -354,6 +380,7 @@ LargestOverlap compute_contacts(NeighborLists& lists, const Bodies& bodies, doub
         keep_larger(first, thread.largest, thread.largest_result);
         scratch.cores_met += thread.cores_met;
     }
+    gather_seen(scratch);
     return first.largest;
 }
 

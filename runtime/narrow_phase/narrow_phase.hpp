@@ -3,6 +3,7 @@
 
 #include "runtime/narrow_phase/lane_work.hpp"
 #include "runtime/narrow_phase/neighbor_lists.hpp"
+#include "runtime/narrow_phase/seen_contacts.hpp"
 
 #include <vector>
 
@@ -25,6 +26,8 @@ struct NarrowPhaseScratch {
         ContactScratch points;
         ConvexScratch convex;
         LaneBlock block;
+        std::vector<PairContact> several;
+        std::vector<SeenContact> seen;
     };
     std::vector<Thread> threads;
     std::vector<double> equivalent_radius;  ///< per kind [m]
@@ -32,6 +35,10 @@ struct NarrowPhaseScratch {
     std::uint64_t cores_met = 0;    ///< contacts in which the cores of convex bodies have come to
                                     ///< overlap, in the last call
     std::vector<Parting> partings;  ///< contacts that ended in the last call
+    Looks looks = Looks::at_none;   ///< what the next call notes
+    /// The contacts that the last call noted: those of particles by rising ids, then those with
+    /// walls by rising id of the particle. A particle may touch a wall of triangles several times.
+    std::vector<SeenContact> seen;
 };
 
 /// What went in lanes in the last call.

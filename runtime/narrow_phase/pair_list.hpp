@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runtime/broad_phase/hierarchical_grid.hpp"
+#include "runtime/contact/lanes/lane_kernels.hpp"
 #include "runtime/contact/pairs/pair_table.hpp"
 
 #include <cstdint>
@@ -22,6 +23,7 @@ struct PairList {
     using Cache = typename Row::Cache;
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     static constexpr double never_quiet = -1.0;
+    static constexpr bool has_walls = AnyWall<B>;
 
     std::vector<IdPair> ids;  ///< sorted
     /// The pair cannot touch before the travels of its two bodies add up to this [m].
@@ -30,6 +32,7 @@ struct PairList {
     std::vector<History> histories;
     std::vector<std::uint32_t> vacant;  ///< places in `histories` of contacts that ended
     std::vector<Cache> caches;
+    std::vector<ForceParts> parts;  ///< of pairs with walls, in the last step
     /// What one thread saw begin and end in this step: places change hands after all threads.
     struct NewContact {
         std::uint32_t pair;
@@ -55,6 +58,7 @@ struct PairList {
         histories.clear();
         vacant.clear();
         caches.assign(ids.size(), Cache{});
+        if constexpr (has_walls) parts.assign(ids.size(), ForceParts{});
         first_result = first;
     }
 

@@ -76,6 +76,7 @@ class Removal {
             list.quiet_until[kept] = list.quiet_until[k];
             list.history_of[kept] = list.history_of[k];
             list.caches[kept] = list.caches[k];
+            if constexpr (List::has_walls) list.parts[kept] = list.parts[k];
             new_result_[result] = results_;
             lists_.results[results_] = lists_.results[result];
             lists_.touching[results_] = lists_.touching[result];
@@ -86,6 +87,7 @@ class Removal {
         list.quiet_until.resize(kept);
         list.history_of.resize(kept);
         list.caches.resize(kept);
+        if constexpr (List::has_walls) list.parts.resize(kept);
         list.first_result = first;
     }
 

@@ -15,14 +15,16 @@ class Cadence {
 
     /// True once per multiple of the interval; call after each step, with rising times [s].
     bool is_due(double time) {
-        if (every_ <= 0.0) return false;
-        const double intervals = std::floor(time / every_ * (1.0 + 1e-12) + 1e-9);
-        if (intervals < next_) return false;
-        next_ = intervals + 1.0;
+        if (!will_be_due(time)) return false;
+        next_ = intervals(time) + 1.0;
         return true;
     }
+    /// What is_due() would say.
+    bool will_be_due(double time) const { return every_ > 0.0 && intervals(time) >= next_; }
 
   private:
+    double intervals(double time) const { return std::floor(time / every_ * (1.0 + 1e-12) + 1e-9); }
+
     double every_;
     double next_ = 0.0;
 };

@@ -17,9 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 9> outputs = {
-    "frames.h5", "frames.xdmf", "surfaces.h5",   "surfaces.xdmf", "history.csv",
-    "final.csv", "final.png",   "checkpoint.h5", "summary.json"};
+constexpr std::array<std::string_view, 13> outputs = {
+    "frames.h5",     "frames.xdmf",      "surfaces.h5",        "surfaces.xdmf", "contacts.h5",
+    "contacts.xdmf", "wall_contacts.h5", "wall_contacts.xdmf", "history.csv",   "final.csv",
+    "final.png",     "checkpoint.h5",    "summary.json"};
 
 bool is_remains(const fs::path& path) {
     const std::string name = path.filename().string();
@@ -56,7 +57,7 @@ void require_files(const fs::path& folder) {
 }
 
 void mend_frames(const fs::path& folder) {
-    for (const char* name : {"frames.h5", "surfaces.h5"}) {
+    for (const char* name : {"frames.h5", "surfaces.h5", "contacts.h5", "wall_contacts.h5"}) {
         const fs::path path = folder / name;
         if (no_file_at(path).empty()) const JournaledFile mended(path);
     }

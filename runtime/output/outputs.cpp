@@ -10,6 +10,7 @@
 #include "runtime/measure/contact_count.hpp"
 #include "runtime/measure/energy.hpp"
 #include "runtime/measure/measures.hpp"
+#include "runtime/measure/wall_forces.hpp"
 #include "runtime/output/picture.hpp"
 
 #include <algorithm>
@@ -32,8 +33,10 @@ void remove_end(const std::filesystem::path& directory) {
     }
 }
 
-FrameContext frame_context(const Scene& scene) {
-    FrameContext context{scene.case_path, {}, scene.output.surfaces};
+FrameContext frame_context(const Scene& scene, const WallTriangles& walls) {
+    FrameContext context{scene.case_path, {}, scene.output.surfaces, scene.output.contacts};
+    for (const Wall& wall : scene.walls) context.walls.push_back(wall.name);
+    if (scene.output.wall_contacts) context.wall_contacts = &walls;
     for (const InsertionGroup& group : scene.insertions) context.groups.push_back(group.name);
     return context;
 }
@@ -54,6 +57,8 @@ std::vector<std::string> history_columns(const Scene& scene) {
                                         "largest_relative_overlap"};
     const auto outlets = outlet_columns(scene);
     columns.insert(columns.end(), outlets.begin(), outlets.end());
+    const auto walls = wall_force_columns(scene);
+    columns.insert(columns.end(), walls.begin(), walls.end());
     const auto measures = measure_columns(scene);
     columns.insert(columns.end(), measures.begin(), measures.end());
     return columns;
@@ -73,6 +78,33 @@ std::vector<BodyRow> body_rows(const Simulation& simulation) {
                    .angular_velocity = p.angular_velocity[i]};
     }
     return rows;
+}
+
+ContactTable contact_table(const Simulation& simulation) {
+    const auto add = [](const StoredVec3& v, auto& values) {
+        using Number = typename std::remove_reference_t<decltype(values)>::value_type;
+        for (const double x : {v.x, v.y, v.z}) values.push_back(static_cast<Number>(x));
+    };
+    ContactTable table;
+    table.time = simulation.time();
+    DEM_ASSERT(simulation.contacts() != nullptr);
+    for (const SeenContact& contact : *simulation.contacts()) {
+        const bool is_wall = contact.is_wall != 0;
+        table.i.push_back(contact.i);
+        table.j.push_back(is_wall ? no_partner : contact.j);
+        table.wall.push_back(is_wall ? contact.j : no_partner);
+        table.slips.push_back(contact.slips);
+        add(contact.point, table.point);
+        add(contact.normal, table.normal);
+        add(contact.force, table.force);
+        add(contact.friction, table.friction);
+        add(contact.velocity, table.velocity);
+        table.normal_force.push_back(contact.normal_force);
+        table.overlap.push_back(contact.overlap);
+        add(contact.center_i, table.lines);
+        add(contact.center_j, table.lines);
+    }
+    return table;
 }
 
 void write_picture(const std::filesystem::path& path, const Simulation& simulation) {
@@ -136,7 +168,9 @@ bool holds_end(const Scene& scene, const RunResult& result) {
         return std::filesystem::exists(folder / name, ignored);
     };
     // A journal has work to do.
-    if (has("frames.h5.journal") || has("surfaces.h5.journal")) return false;
+    for (const char* film : {"frames.h5.journal", "surfaces.h5.journal", "contacts.h5.journal",
+                             "wall_contacts.h5.journal"})
+        if (has(film)) return false;
     if (!has("final.csv") || (scene.output.picture && !has("final.png"))) return false;
     RunSummary summary;
     summary.end = end_name(result.end);
@@ -147,8 +181,10 @@ bool holds_end(const Scene& scene, const RunResult& result) {
 
 Outputs::Outputs(const Scene& scene)
     : directory_(scene.output.directory),
+      writes_contacts_(scene.output.contacts),
+      wall_triangles_(wall_triangles(scene)),
       history_(directory_ / "history.csv", history_columns(scene)),
-      frames_(directory_, frame_context(scene), scene.shapes),
+      frames_(directory_, frame_context(scene, wall_triangles_), scene.shapes),
       progress_(begun(scene)),
       frame_cadence_(progress_.frames_every),
       row_cadence_(progress_.history_every),
@@ -157,17 +193,23 @@ Outputs::Outputs(const Scene& scene)
     remove_end(directory_);
     std::error_code ignored;
     std::filesystem::remove(checkpoint_path(scene), ignored);
-    if (scene.output.surfaces) return;
     // Those of a run that is written over: they would lie beside frames of this one.
-    for (const char* name : {"surfaces.h5", "surfaces.xdmf"})
-        std::filesystem::remove(directory_ / name, ignored);
+    const auto remove_both = [&](const std::string& name) {
+        std::filesystem::remove(directory_ / (name + ".h5"), ignored);
+        std::filesystem::remove(directory_ / (name + ".xdmf"), ignored);
+    };
+    if (!scene.output.surfaces) remove_both("surfaces");
+    if (!scene.output.contacts) remove_both("contacts");
+    if (!scene.output.wall_contacts) remove_both("wall_contacts");
 }
 
 Outputs::Outputs(const Scene& scene, const OutputProgress& progress)
     : directory_(scene.output.directory),
+      writes_contacts_(scene.output.contacts),
+      wall_triangles_(wall_triangles(scene)),
       history_(directory_ / "history.csv", history_columns(scene), progress.rows,
                progress.rows_hash),
-      frames_(directory_, frame_context(scene), scene.shapes, progress.frames),
+      frames_(directory_, frame_context(scene, wall_triangles_), scene.shapes, progress.frames),
       progress_(resumed(scene, progress)),
       frame_cadence_(progress_.frames_every),
       row_cadence_(progress_.history_every),
@@ -212,8 +254,28 @@ void Outputs::write_frame(const Simulation& simulation) {
     std::vector<std::uint32_t> shape;
     for (const std::uint32_t kind : p.kind) shape.push_back(simulation.scene().kinds[kind].shape);
     const auto coordination = coordination_numbers(simulation);
-    frames_.append({simulation.time(), simulation.steps(), p.id, p.position, p.orientation,
-                    p.velocity, p.angular_velocity, shape, p.group, coordination, p.force});
+    Frame frame{simulation.time(),
+                simulation.steps(),
+                p.id,
+                p.position,
+                p.orientation,
+                p.velocity,
+                p.angular_velocity,
+                shape,
+                p.group,
+                coordination,
+                p.force};
+    ContactTable contacts;
+    if (simulation.scene().output.contacts) {
+        contacts = contact_table(simulation);
+        frame.contacts = &contacts;
+    }
+    WallContactTable wall_contacts;
+    if (simulation.scene().output.wall_contacts) {
+        wall_contacts = wall_contact_table(simulation, wall_triangles_, progress_.loads);
+        frame.wall_contacts = &wall_contacts;
+    }
+    frames_.append(frame);
     last_frame_ = simulation.time();
 }
 
@@ -257,6 +319,7 @@ void Outputs::write_row(const Simulation& simulation) {
         row.emplace_back(e.removed);
         add_outflow(simulation, row);
     }
+    for (const double value : wall_force_values(simulation)) row.emplace_back(value);
     row.insert(row.end(), measured_.begin(), measured_.end());
     history_.append(row);
     last_row_ = simulation.time();

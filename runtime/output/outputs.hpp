@@ -4,6 +4,7 @@
 #include "runtime/files/frames.hpp"
 #include "runtime/files/history_writer.hpp"
 #include "runtime/output/cadence.hpp"
+#include "runtime/output/wall_contacts.hpp"
 #include "runtime/run.hpp"
 #include "runtime/simulation.hpp"
 
@@ -24,6 +25,7 @@ struct OutputProgress {
     double history_every = 0.0;        ///< [s]
     double row_time = 0.0;             ///< of the last row [s]
     std::vector<Outflow> row_outflow;  ///< what it said, by outlet
+    LoadsOfLastFrame loads;
 
     template <class Self, class Visit>
     static void visit_state(Self& self, Visit& visit) {
@@ -35,6 +37,7 @@ struct OutputProgress {
         visit("outputs.history_every", self.history_every);
         visit("outputs.row_time", self.row_time);
         visit("outputs.row_outflow", self.row_outflow);
+        LoadsOfLastFrame::visit_state(self.loads, visit);
     }
 };
 
@@ -60,6 +63,11 @@ class Outputs {
     /// Writes what is due at the present time; call before each step.
     void sample(const Simulation& simulation);
 
+    /// Whether the sample after the step that leads to `time` [s] will ask for contacts.
+    bool will_ask_for_contacts(double time) const {
+        return writes_contacts_ && frame_cadence_.will_be_due(time);
+    }
+
     /// After the last sample that did not fail.
     const OutputProgress& progress() const { return progress_; }
     double measure_time() const { return measure_time_; }  ///< taken by measures so far [s]
@@ -82,6 +90,8 @@ class Outputs {
     void write_end(const Simulation& simulation, const RunResult& result) const;
 
     std::filesystem::path directory_;
+    bool writes_contacts_;
+    WallTriangles wall_triangles_;
     HistoryWriter history_;
     FrameWriter frames_;
     OutputProgress progress_;

@@ -34,6 +34,7 @@ struct Wall {
     Vec3 position = Vec3::Zero();  ///< of the wall's origin at time 0 [m]
     Quat orientation = Quat::Identity();
     WallMotion motion;
+    Vec3 torque_point = Vec3::Zero();  ///< about which measures give torques, fixed in space [m]
     std::uint32_t material = 0;
 };
 

@@ -290,13 +290,13 @@ TEST_F(Demrun, AFinishedRunIsLeftAsItIsByResume) {
 }
 
 TEST_F(Demrun, AResultThatIsMissingOrNoFileIsNamedOnResume) {
-    ASSERT_EQ(demrun("case.ini --quiet --set output.surfaces=yes").code, 0);
+    const std::string all = " --set output.surfaces=yes --set output.contacts=yes";
+    ASSERT_EQ(demrun("case.ini --quiet" + all).code, 0);
     const auto resume_without = [&](const std::string& name) {
         fs::rename(folder_ / "case" / name, folder_ / name);
         fs::create_directory(folder_ / "case" / name);
         const std::string resume = "timeout 10 " + program("demrun") +
-                                   " case.ini --quiet --resume --set output.surfaces=yes --set "
-                                   "run.end_time=21ms";
+                                   " case.ini --quiet --resume --set run.end_time=21ms" + all;
         const Outcome outcome = run_command(resume, folder_);
         EXPECT_EQ(outcome.code, 1);
         EXPECT_EQ(outcome.errors.find('\n'), outcome.errors.size() - 1) << outcome.errors;
@@ -312,6 +312,7 @@ TEST_F(Demrun, AResultThatIsMissingOrNoFileIsNamedOnResume) {
               "demrun: error: case/history.csv: no such file, expected the history of the run that "
               "is resumed\n");
     resume_without("surfaces.h5");
+    resume_without("contacts.h5");
 }
 
 TEST_F(Demrun, ABodyThatBeginsToRollDownATenthOfADegreeIsNotAtRest) {

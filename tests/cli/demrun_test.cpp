@@ -194,11 +194,15 @@ TEST_F(Demrun, ResultsAreNotReplacedUnlessForced) {
 }
 
 TEST_F(Demrun, NothingOfARunThatIsWrittenOverStays) {
-    ASSERT_EQ(demrun("case.ini --quiet --set output.surfaces=yes").code, 0);
+    const std::string all = "--set output.surfaces=yes --set output.contacts=yes";
+    ASSERT_EQ(demrun("case.ini --quiet " + all).code, 0);
     ASSERT_TRUE(fs::exists(folder_ / "case/surfaces.h5"));
+    ASSERT_TRUE(fs::exists(folder_ / "case/contacts.h5"));
     ASSERT_EQ(demrun("case.ini --quiet --force").code, 0);
     EXPECT_FALSE(fs::exists(folder_ / "case/surfaces.h5"));
     EXPECT_FALSE(fs::exists(folder_ / "case/surfaces.xdmf"));
+    EXPECT_FALSE(fs::exists(folder_ / "case/contacts.h5"));
+    EXPECT_FALSE(fs::exists(folder_ / "case/contacts.xdmf"));
 }
 
 TEST_F(Demrun, ClosedStandardStreamsAndBrokenPipesHarmNoFile) {

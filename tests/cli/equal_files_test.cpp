@@ -115,14 +115,16 @@ void expect_equal(const std::map<std::string, std::string>& first,
 TEST_F(EqualFiles, ASecondRunWritesTheSameBytes) {
     files_ = {{"case.ini", shaken_beads}};
     const std::vector<std::string> commands = {program("demrun") +
-                                               " case.ini --quiet --set output.surfaces=yes"};
+                                               " case.ini --quiet --set output.surfaces=yes "
+                                               "--set output.contacts=yes"};
     const auto first = results("first", commands);
     // HDF5 counts in seconds.
     ASSERT_EQ(run_command("sleep 1.1", folder_).code, 0);
     const auto second = results("second", commands);
     expect_equal(first, second,
-                 {"case/frames.h5", "case/frames.xdmf", "case/surfaces.h5", "case/checkpoint.h5",
-                  "case/history.csv", "case/final.csv", "case/final.png", "case/summary.json"});
+                 {"case/frames.h5", "case/frames.xdmf", "case/surfaces.h5", "case/contacts.h5",
+                  "case/checkpoint.h5", "case/history.csv", "case/final.csv", "case/final.png",
+                  "case/summary.json"});
 }
 
 TEST_F(EqualFiles, AnotherProcessorWritesTheSameBytes) {

@@ -46,6 +46,7 @@ void add_normal(const FeatureSum& features, const ContactLaw& law, double dt, Fe
     contact.force = sum.force;
     contact.torque_i = sum.torque_i;
     contact.torque_j = sum.torque_j;
+    contact.normal_force = normal_force;
     energy.dissipated += dashpot * features.squared_rate() * dt;
 }
 
@@ -118,6 +119,7 @@ void add_push(const FeatureSum& features, double push, PairContact& contact) {
     contact.force += sum.force;
     contact.torque_i += sum.torque_i;
     contact.torque_j += sum.torque_j;
+    contact.normal_force += push * features.scale() * features.weight();
 }
 
 /// Where friction acts, relative to the center of i [m]: at the load. As long as it holds a contact
@@ -167,6 +169,8 @@ void add_friction(const FeaturePatch& patch, const Step& step, PairContact& cont
     history.spring = spring;
     history.stiffness = k_t;
     history.weight = patch.weight;
+    contact.friction = t.force;
+    contact.friction_limit = law.friction * patch.load;
     contact.force += t.force;
     contact.torque_i += place.cross(t.force);
     contact.torque_j -= (place - pair.displacement).cross(t.force);
@@ -215,6 +219,8 @@ PairContact contact_force(const FeatureSum& features, double local_radius, const
         law, whole, {local_radius, radius, patch.c.frequency * dt, elastic}, history, energy);
     contact.torque_i += moment;
     contact.torque_j -= moment;
+    contact.place = patch.center;
+    contact.normal = patch.normal;
     contact.overlap = patch.overlap;
     contact.points = features.count();
     contact.elastic_energy = energy.elastic;

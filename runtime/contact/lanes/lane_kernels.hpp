@@ -42,6 +42,12 @@ struct PairResult {
     double wall_work = 0.0;          ///< of a moving wall on the particle during this step [J]
 };
 
+/// The sizes of the two parts of a wall's force on a particle.
+struct ForceParts {
+    double normal = 0.0;  ///< of springs and dashpots along the normals [N]
+    double shear = 0.0;   ///< of friction [N]
+};
+
 /// A contact for a lane: two bodies, or one and a wall, that touched in one point in the step
 /// before, what they remember of it, and where its result goes.
 struct LaneContact {
@@ -51,6 +57,7 @@ struct LaneContact {
     ContactHistory* history;
     SpringHistory* spring;
     PairResult* result;
+    ForceParts* parts = nullptr;  ///< of a contact with a wall
 };
 
 /// The most contacts that a kernel is given at once.

@@ -30,6 +30,8 @@ struct LanePairContact {
     Vec3Of<Real> force, torque_i, torque_j;
     Real overlap, elastic_energy, dissipated_energy;
     int points;
+    Vec3Of<Real> place, normal, friction;
+    Real friction_limit, normal_force;
 };
 
 /// PairState in each lane.

@@ -133,6 +133,7 @@ struct Computed {
     Mask is_done;
     LanePairContact<Real> contact;
     Real wall_work{};  ///< [J]
+    Real shear{};      ///< friction of a wall [N]
 };
 
 void store(const Computed& computed, const LaneHistory<Real>& now, std::size_t l,
@@ -144,6 +145,7 @@ void store(const Computed& computed, const LaneHistory<Real>& now, std::size_t l
     c.result->elastic_energy = contact.elastic_energy[l];
     c.result->dissipated_energy = contact.dissipated_energy[l];
     c.result->wall_work = computed.wall_work[l];
+    if (c.parts != nullptr) *c.parts = {contact.normal_force[l], computed.shear[l]};
     c.history->normal = lane(now.normal, l);
     c.history->effective_radius = now.effective_radius[l];
     c.history->phase = now.phase[l];
@@ -201,7 +203,8 @@ Computed sphere_in(const Field& field, const LanePair<Real>& state, const Group&
     const auto here = field.sample(Vector::Zero());
     const LanePairContact<Real> contact = sphere_force<Partner::wall>(
         sphere_at_wall(field, here, radius), state, law(group), dt, now);
-    return {touches_wall(field, here, radius), contact, wall_work(state, contact, dt)};
+    return {touches_wall(field, here, radius), contact, wall_work(state, contact, dt),
+            contact.friction.norm()};
 }
 
 PlaneFieldOf<Real> plane(const LanePair<Real>& state, const Group& group) {
@@ -307,7 +310,7 @@ Computed smooth_at_wall(const CommonNormalOf<Real>& at, const SupportSampleOf<Re
     if (any(needs_local_radius(laws, now)))
         radius = contact_radius(laws, sample, size_i(group, &LaneKind::equivalent_diameter));
     const LanePairContact<Real> contact = force_at(at, radius, state, laws, dt, now);
-    return {at.f > 0.0, contact, wall_work(state, contact, dt)};
+    return {at.f > 0.0, contact, wall_work(state, contact, dt), contact.friction.norm()};
 }
 
 void smooth_at_plane(std::span<const LaneContact> contacts, double dt, LaneOutcome& outcome) {

@@ -212,6 +212,8 @@ void add_friction(const PointPatch& patch, const PatchInput& call, const Load& l
         slot.feature = p.feature;
         slot.normal = n;
         add_force(contact, force, place, call.pair);
+        contact.friction += force;
+        contact.friction_limit += spring.limit;
     }
     call.history.used = chosen.count;
 }
@@ -260,6 +262,9 @@ PairContact patch_force(const PatchInput& call) {
     contact.torque_i += moment;
     contact.torque_j -= moment;
     contact.overlap = patch.overlap();
+    contact.place = whole.center;
+    contact.normal = whole.normal;
+    contact.normal_force = normal_force;
     contact.points = static_cast<std::uint32_t>(call.points.size());
     contact.elastic_energy = energy.elastic;
     contact.dissipated_energy = energy.dissipated;

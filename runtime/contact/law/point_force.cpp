@@ -20,7 +20,8 @@ PairContact contact_force(const ContactPoint& point, double local_radius, const 
     // The overlap changes by slope times the way along the normal: f g is the force of a potential.
     const PointForce f = point_force(motion, local_radius, law, dt, history);
 
-    auto contact = point_contact<PairContact>(f, point.overlap);
+    auto contact = point_contact<PairContact>(f, point.overlap, r_i, motion.normal);
+    contact.normal_force *= slope;
     contact.force = f.normal * g + f.tangential;
     contact.torque_i += r_i.cross(contact.force);
     contact.torque_j -= r_j.cross(contact.force);

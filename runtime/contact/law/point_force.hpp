@@ -14,6 +14,7 @@ template <class Real>
 struct PointForceOf {
     Real normal;              ///< > 0 repulsive [N]
     Vec3Of<Real> tangential;  ///< on i [N]
+    Real friction_limit;      ///< [N]
     Vec3Of<Real> moment;      ///< on i, beside those of the forces; -moment on j [N m]
     ContactEnergyOf<Real> energy;
 };
@@ -40,13 +41,14 @@ PointForceOf<typename Pair::Real> point_force(const PointMotionOf<Pair>& point,
     const Real load = friction_load(law, normal.elastic_part, normal.size);
     PointForceOf<Real> f{normal.size,
                          Vec3Of<Real>::Zero(),
+                         law.friction * load,
                          Vec3Of<Real>::Zero(),
                          {normal_elastic, normal.dissipated}};
     if (all(law.friction > 0.0)) {
         const SlidingOf<Real> sliding{point.velocity,           n,      last_normal,
                                       spin_about(pair, n) * dt, is_new, dt};
-        f.tangential = friction_force({c.k_t, c.gamma_t, law.friction * load}, sliding, taken,
-                                      history, f.energy);
+        f.tangential =
+            friction_force({c.k_t, c.gamma_t, f.friction_limit}, sliding, taken, history, f.energy);
     }
     const WholeContactOf<Pair> whole{pair,        dt,    is_new, n,    last_normal,
                                      point.lever, c.k_n, load,   taken};
@@ -56,9 +58,10 @@ PointForceOf<typename Pair::Real> point_force(const PointMotionOf<Pair>& point,
     return f;
 }
 
-/// What the law of one point gives, with the torques of its forces still to be added.
+/// What the law of one point gives, with its force and the torques of that still to be added.
 template <class Contact, class Real>
-Contact point_contact(const PointForceOf<Real>& f, const Real& overlap) {
+Contact point_contact(const PointForceOf<Real>& f, const Real& overlap, const Vec3Of<Real>& place,
+                      const Vec3Of<Real>& normal) {
     Contact contact;
     contact.torque_i = f.moment;
     contact.torque_j = -f.moment;
@@ -66,6 +69,11 @@ Contact point_contact(const PointForceOf<Real>& f, const Real& overlap) {
     contact.elastic_energy = f.energy.elastic;
     contact.dissipated_energy = f.energy.dissipated;
     contact.points = 1;
+    contact.place = place;
+    contact.normal = normal;
+    contact.friction = f.tangential;
+    contact.friction_limit = f.friction_limit;
+    contact.normal_force = f.normal;
     return contact;
 }
 

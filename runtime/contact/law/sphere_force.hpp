@@ -28,7 +28,8 @@ typename Pair::Contact sphere_force(const SpherePointOf<typename Pair::Real>& po
     const PointForceOf<Real> f = point_force(motion, point.radius, law, dt, history);
     const Vec3Of<Real> lever_j = point.lever - pair.displacement;
 
-    auto contact = point_contact<typename Pair::Contact>(f, point.overlap);
+    auto contact =
+        point_contact<typename Pair::Contact>(f, point.overlap, point.lever, point.normal);
     contact.force = f.normal * point.normal + f.tangential;
     contact.torque_i += point.lever.cross(f.tangential);
     if constexpr (partner == Partner::sphere) {

@@ -100,8 +100,15 @@ double MeshContacts::add(const BodyBall& ball, const VisitTriangles& visit_trian
     return nearest;
 }
 
-/// Adds the force of one contact to that of a pair.
+/// Adds the force of one contact to that of a pair, whose place is that of the heaviest.
 inline void put_together(const PairContact& contact, PairContact& sum) {
+    if (contact.normal_force >= sum.normal_force) {
+        sum.place = contact.place;
+        sum.normal = contact.normal;
+    }
+    sum.normal_force += contact.normal_force;
+    sum.friction += contact.friction;
+    sum.friction_limit += contact.friction_limit;
     sum.force += contact.force;
     sum.torque_i += contact.torque_i;
     sum.torque_j += contact.torque_j;
@@ -124,9 +131,10 @@ PairContact MeshContacts::force(const RadiusOf& radius_of) {
     for (std::size_t g = 0; g < group_count_; ++g) {
         MeshHistory::Contact& contact = history.contacts[g];
         contact.sides = sides_of(g);
-        put_together(contact_force(groups_[g].points, radius_of(groups_[g].deepest_ball),
-                                   call_.pair, call_.law, call_.dt, contact.history),
-                     sum);
+        const PairContact one = contact_force(groups_[g].points, radius_of(groups_[g].deepest_ball),
+                                              call_.pair, call_.law, call_.dt, contact.history);
+        put_together(one, sum);
+        if (call_.scratch.several != nullptr) call_.scratch.several->push_back(one);
     }
     if (is_lost_) sum.overlap = std::max(sum.overlap, lost_overlap);
     return sum;

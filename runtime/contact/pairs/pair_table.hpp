@@ -227,9 +227,13 @@ static_assert(is_complete<WallPairs, WallShape>(static_cast<const ParticleShape*
 inline PairState reversed(const PairState& pair) {
     return {-pair.displacement, pair.j, pair.i};
 }
-inline PairContact reversed(PairContact contact) {
+/// `displacement`: from the center of the first of the pair to that of the second [m].
+inline PairContact reversed(PairContact contact, const Vec3& displacement) {
     contact.force = -contact.force;
     std::swap(contact.torque_i, contact.torque_j);
+    contact.place += displacement;
+    contact.normal = -contact.normal;
+    contact.friction = -contact.friction;
     return contact;
 }
 

@@ -51,7 +51,7 @@ typename Pair::Contact force_at(const CommonNormalOf<typename Pair::Real>& at,
     motion.inverse_mass = inverse_mass_at(pair, law, at.n, at.middle);
     const PointForceOf<Real> f = point_force(motion, local_radius, law, dt, history);
 
-    auto contact = point_contact<typename Pair::Contact>(f, at.f);
+    auto contact = point_contact<typename Pair::Contact>(f, at.f, at.middle, Vec3In<Pair>(-at.n));
     contact.force = f.tangential - f.normal * at.n;
     contact.torque_i += at.middle.cross(contact.force);
     contact.torque_j += (pair.displacement - at.middle).cross(contact.force);

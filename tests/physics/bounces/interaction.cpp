@@ -35,7 +35,8 @@ class KernelOf : public Interaction {
         if (!is_reversed_)
             return runtime::collide(a_, b_, Call{pair, law, dt, memory, travel, room});
         const PairState back = reversed(pair);
-        return reversed(runtime::collide(a_, b_, Call{back, law, dt, memory, travel, room}));
+        return reversed(runtime::collide(a_, b_, Call{back, law, dt, memory, travel, room}),
+                        pair.displacement);
     }
     double gap([[maybe_unused]] double travel) const override {
         if constexpr (std::is_same_v<Cache, MissCache>) return cache_.gap;

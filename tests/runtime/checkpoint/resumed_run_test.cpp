@@ -4,9 +4,12 @@
 #include "runtime/run.hpp"
 #include "tests/formats/temporary_folder.hpp"
 #include "tests/runtime/simulation/scenes.hpp"
+#include "tests/support/sample_walls.hpp"
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -39,6 +42,8 @@ class ResumedRun : public TemporaryFolder {
         scene.output.frames_every = 0.01;
         scene.output.history_every = 0.0043;
         scene.output.surfaces = true;
+        scene.output.contacts = true;
+        scene.output.wall_forces = WallForceColumns::faces;
         scene.output.picture = false;
         return scene;
     }
@@ -75,7 +80,8 @@ TEST_F(ResumedRun, LeavesTheFilesOfOneThatNeverStopped) {
 
     EXPECT_EQ(last.state_hash, whole.state_hash);
     EXPECT_EQ(last.steps, whole.steps);
-    for (const char* name : {"history.csv", "final.csv", "frames.xdmf", "surfaces.xdmf"}) {
+    for (const char* name :
+         {"history.csv", "final.csv", "frames.xdmf", "surfaces.xdmf", "contacts.xdmf"}) {
         EXPECT_TRUE(text(std::filesystem::path("parts") / name) ==
                     text(std::filesystem::path("whole") / name))
             << name;
@@ -88,6 +94,63 @@ TEST_F(ResumedRun, LeavesTheFilesOfOneThatNeverStopped) {
     EXPECT_EQ(surfaces.members("/frames"), expected.members("/frames"));
     EXPECT_EQ(surfaces.members("/topologies"),
               Hdf5Reader(directory_ / "whole/surfaces.h5").members("/topologies"));
+    const Hdf5Reader contacts(directory_ / "parts/contacts.h5");
+    const Hdf5Reader expected_contacts(directory_ / "whole/contacts.h5");
+    std::uint64_t count = 0;
+    for (const std::string& frame : expected.members("/frames")) {
+        const std::string group = "/frames/" + frame;
+        EXPECT_EQ(contacts.number(group, "hash"), expected_contacts.number(group, "hash"));
+        count += contacts.number(group, "count");
+    }
+    EXPECT_GT(count, 5U);
+}
+
+// Neither the step at which a signal comes nor the one at which the heap is at rest was foreseen.
+TEST_F(ResumedRun, TheLastFrameHasItsContactsHoweverTheRunEnds) {
+    const volatile std::sig_atomic_t stop = SIGTERM;
+    RunOptions options;
+    options.stop_signal = &stop;
+    EXPECT_EQ(run(pour(0.1, 1, "stopped"), options).end, RunResult::End::interrupted);
+    options.resume = true;
+    EXPECT_EQ(run(pour(0.1, 1, "stopped"), options).end, RunResult::End::interrupted);
+    Scene resting = pour(20.0, 1, "resting");
+    resting.insertions[0].count = 10;
+    resting.output.frames_every = 1.0;
+    resting.run.stop_at_rest = true;
+    EXPECT_EQ(run(resting, {}).end, RunResult::End::at_rest);
+    const Hdf5Reader frames(directory_ / "resting/frames.h5");
+    const Hdf5Reader contacts(directory_ / "resting/contacts.h5");
+    EXPECT_EQ(contacts.members("/frames"), frames.members("/frames"));
+    const std::string last = "/frames/" + frames.members("/frames").back();
+    EXPECT_GE(contacts.number(last, "count"), 10U);
+}
+
+TEST_F(ResumedRun, GoesOnSummingWhatIsDoneToTriangles) {
+    const auto pour_on_plate = [&](double end_time, int threads, const char* folder) {
+        Scene scene = pour(end_time, threads, folder);
+        Wall plate;
+        plate.name = "plate";
+        plate.position = {0.0, 0.0, 2e-3};
+        plate.shape = MeshWall{std::make_shared<const WallMesh>(
+            sample::plate({-0.03, -0.03}, {0.03, 0.03}, 5, 5).wall())};
+        scene.walls.push_back(plate);
+        scene.output.wall_contacts = true;
+        return scene;
+    };
+    run(pour_on_plate(0.15, 1, "whole"), {});
+    run(pour_on_plate(0.093, 2, "parts"), {});
+    Scene without = pour_on_plate(0.15, 2, "parts");
+    without.output.wall_contacts = false;
+    EXPECT_NE(resume_error(without).find("was made with another setting of wall_contacts"),
+              std::string::npos);
+    EXPECT_EQ(resume(pour_on_plate(0.15, 3, "parts")).end, RunResult::End::end_time);
+    EXPECT_TRUE(text("parts/wall_contacts.xdmf") == text("whole/wall_contacts.xdmf"));
+    const Hdf5Reader expected(directory_ / "whole/wall_contacts.h5");
+    const Hdf5Reader found(directory_ / "parts/wall_contacts.h5");
+    ASSERT_EQ(found.members("/frames"), expected.members("/frames"));
+    for (const std::string& frame : expected.members("/frames"))
+        EXPECT_EQ(found.number("/frames/" + frame, "hash"),
+                  expected.number("/frames/" + frame, "hash"));
 }
 
 TEST_F(ResumedRun, GoesOnCountingWhatHasGoneOut) {
