@@ -292,11 +292,15 @@ TEST_F(Demrun, AFinishedRunIsLeftAsItIsByResume) {
 TEST_F(Demrun, AResultThatIsMissingOrNoFileIsNamedOnResume) {
     const std::string all = " --set output.surfaces=yes --set output.contacts=yes";
     ASSERT_EQ(demrun("case.ini --quiet" + all).code, 0);
+    int end_time = 20;  // [ms]
     const auto resume_without = [&](const std::string& name) {
+        ++end_time;
         fs::rename(folder_ / "case" / name, folder_ / name);
         fs::create_directory(folder_ / "case" / name);
-        const std::string resume = "timeout 10 " + program("demrun") +
-                                   " case.ini --quiet --resume --set run.end_time=21ms" + all;
+        const std::string resume =
+            "timeout 10 " + program("demrun") +
+            " case.ini --quiet --resume --set run.end_time=" + std::to_string(end_time) + "ms" +
+            all;
         const Outcome outcome = run_command(resume, folder_);
         EXPECT_EQ(outcome.code, 1);
         EXPECT_EQ(outcome.errors.find('\n'), outcome.errors.size() - 1) << outcome.errors;

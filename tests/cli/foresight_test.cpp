@@ -55,8 +55,10 @@ class Foresight : public TemporaryFolder {
         double largest = 0.0;
         std::string line;
         std::getline(lines, line);
+        constexpr int column = 12;  // largest_relative_overlap
         while (std::getline(lines, line)) {
-            largest = std::max(largest, std::stod(line.substr(line.rfind(',') + 1)));
+            for (int k = 0; k < column; ++k) line.erase(0, line.find(',') + 1);
+            largest = std::max(largest, std::stod(line));
         }
         return largest;
     }

@@ -341,8 +341,12 @@ void smooth_in_tube(std::span<const LaneContact> contacts, double dt, LaneOutcom
                                     size_j(group, &LaneKind::radius),
                                     size_i(group, &LaneKind::radius)};
         const TubePlaceOf<Real> place = followed_place<Real>(body, pose, now.normal);
-        const Mask is_done =
-            both(place.is_only, side_reaches(size_j(group, &LaneKind::length), place.z));
+        const Vector spin = dt * (state.i.angular_velocity - state.j.angular_velocity);
+        const PlaneSwing<Real> swing =
+            along_line<Real>(plane_swing<Real>(body.axis, Vector(-place.at.n), spin), state.j.axis);
+        const Mask stays = stays_near(place.support, swing, pose.size);
+        const Mask is_done = both(
+            stays, both(place.is_only, side_reaches(size_j(group, &LaneKind::length), place.z)));
         if (!any(is_done)) return {is_done, LanePairContact<Real>{}};
         Computed computed = smooth_at_wall(place.at, place.support, state, group, dt, now);
         computed.is_done = is_done;

@@ -63,6 +63,22 @@ std::optional<Vec3> mean_place(const SrSupport& support, const SupportSample& no
     return last.point(after) - std::clamp(excess / by_step, 0.0, 1.0) * step;
 }
 
+/// Where the inside of a cylinder pushes a body whose place runs along one of its lines. `n`: from
+/// the wall. None: it stays, or an end of the side is near. (On a rod, whose side bulges, a
+/// straight side that crosses the line at a small angle touches where they cross: places do not run
+/// so.)
+std::optional<Vec3> place_along_line(const SrShape& a, const SrSupport& support,
+                                     const SupportSample& now, const Vec3& n,
+                                     const CylinderWall& wall, const WallPose& pose,
+                                     const Call<PatchHistory, MissCache>& call) {
+    const double z = pose.center.dot(pose.axis);
+    if (!wall.reaches(z - a.bounding_radius) || !wall.reaches(z + a.bounding_radius)) return {};
+    const Vec3 spin = call.dt * (call.pair.i.angular_velocity - call.pair.j.angular_velocity);
+    const PlaneSwing<double> swing =
+        along_line<double>(plane_swing<double>(support.axis, n, spin), pose.axis);
+    return mean_place(support, now, n, swing, a.bounding_radius);
+}
+
 /// A contact that goes on at the one place where the body touches the inside of a cylinder, if
 /// there is no need to search.
 std::optional<PairContact> followed_contact(const SrShape& a, const SrSupport& support,
@@ -75,7 +91,13 @@ std::optional<PairContact> followed_contact(const SrShape& a, const SrSupport& s
     const TubePlaceOf<double> place = followed_place(support, tube, Vec3(point.normal));
     if (!place.is_only || !wall.reaches(place.z)) return {};
     const double radius = radius_at(place.support, a, call.law, point);
-    const PairContact contact = force_at(place.at, radius, call.pair, call.law, call.dt, point);
+    const Vec3 n = -place.at.n;
+    const std::optional<Vec3> mean =
+        place_along_line(a, support, place.support, n, wall, pose, call);
+    const PairContact contact =
+        mean ? contact_force({*mean + 0.5 * place.at.f * n, n, place.at.f, 0}, radius, call.pair,
+                             call.law, call.dt, point)
+             : force_at(place.at, radius, call.pair, call.law, call.dt, point);
     keep_point(point, history.slots[0].feature, history);
     return contact;
 }
@@ -114,6 +136,12 @@ PairContact collide(const SrShape& a, const CylinderWall& wall,
     WallTouch touch = wall.inside ? touch_inside(a, support, wall, pose, history)
                                   : touch_rod(a, support, wall, pose);
     if (touch.count == 0) return apart(call, touch.gap);
+    if (wall.inside && touch.count == 1) {
+        ContactPoint& at = touch.points[0];
+        const Vec3 n = at.gradient;
+        const auto mean = place_along_line(a, support, touch.deepest, n, wall, pose, call);
+        if (mean) at.position = *mean + 0.5 * at.overlap * n;
+    }
     give_features(touch, history);
     const double radius = contact_radius(law, touch.deepest, a.equivalent_diameter);
     if (touch.between_count == 0 || law.geometry.multi_contact != ContactLaw::MultiContact::norm)

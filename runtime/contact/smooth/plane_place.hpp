@@ -3,7 +3,8 @@
 
 #include "runtime/contact/smooth/common_normal.hpp"
 
-/// A convex surface of revolution at a plane (docs/contact.md, "Walls").
+/// A convex surface of revolution at a plane, and how its place runs there (docs/contact.md,
+/// "Walls").
 namespace dem::runtime {
 
 /// Where a body touches a plane.
@@ -36,6 +37,14 @@ PlaneSwing<Real> plane_swing(const Vec3Of<Real>& axis, const Vec3Of<Real>& n,
                              const Vec3Of<Real>& spin) {
     const Vec3Of<Real> turn = spin - spin.dot(axis) * axis;
     const Vec3Of<Real> half = 0.5 * turn.cross(n);
+    return {half, 2.0 * half.norm()};
+}
+
+/// The part of a swing by which a place runs along a straight line of the wall, `line` its unit
+/// direction: along its axis a cylinder is as a plane.
+template <class Real>
+PlaneSwing<Real> along_line(const PlaneSwing<Real>& swing, const Vec3Of<Real>& line) {
+    const Vec3Of<Real> half = swing.half.dot(line) * line;
     return {half, 2.0 * half.norm()};
 }
 

@@ -242,7 +242,11 @@ TEST(SrWall, ASphereAsSurfaceOfRevolutionTouchesLikeASphere) {
     }
 }
 
-TEST(SrWall, AForceAtAPlaneDoesWhatItsOverlapChangesByAlsoWhereABodyRocksOnItsSide) {
+/// Holds the work of the force in a step against the change of the overlap while a cylinder rocks
+/// on its side: over a wall at z = 0 whose lines run along x where it touches. `displacement`: from
+/// the body to the wall when the body stands over its middle.
+template <class Wall, class History>
+void expect_work_of_rocking(const Wall& wall, const Quat& of_wall, const Vec3& displacement) {
     const SolidBody body = cylinder(3e-3, 8e-3);
     const ContactLaw law = pair_law({5e7, 0.3}, {5e7, 0.3}, 1.0);
     const double dt = 1e-5;
@@ -251,15 +255,15 @@ TEST(SrWall, AForceAtAPlaneDoesWhatItsOverlapChangesByAlsoWhereABodyRocksOnItsSi
         pair.i.inverse_inertia = body.inverse(1000.0);
         pair.i.velocity = Vec3(0.3, 0.0, -0.01);
         pair.i.angular_velocity = Vec3(0.0, 40.0, 0.0);
+        pair.j.orientation = of_wall;
         const double passed = 0.05 * k;  // of a step since the axis was level
-        pair.displacement = Vec3(0.0, 0.0, -3e-3 + 5e-5);
         const auto contact_at = [&](double steps) {
             PairState at = pair;
-            at.displacement -= steps * dt * pair.i.velocity;
+            at.displacement = displacement - steps * dt * pair.i.velocity;
             at.i.orientation = rotation(Vec3(0.0, 0.5 * pi + (passed + steps) * dt * 40.0, 0.0));
-            PointHistory history;
+            History history;
             MissCache miss;
-            return collide(body.shape, PlaneWall{}, Call{at, law, dt, Memory{history, miss}});
+            return collide(body.shape, wall, Call{at, law, dt, Memory{history, miss}});
         };
         const PairContact now = contact_at(0.0);
         ASSERT_TRUE(now.touches());
@@ -269,6 +273,16 @@ TEST(SrWall, AForceAtAPlaneDoesWhatItsOverlapChangesByAlsoWhereABodyRocksOnItsSi
         // The ends of the side go up and down by 4 mm * 4e-4 = 1.6e-6 m in a step.
         EXPECT_NEAR(work / now.force.norm(), -change, 1e-8) << passed;
     }
+}
+
+TEST(SrWall, AForceDoesWhatItsOverlapChangesByAlsoWhereABodyRocksOnItsSide) {
+    const double height = 3e-3 - 5e-5;
+    expect_work_of_rocking<PlaneWall, PointHistory>(PlaneWall{}, Quat::Identity(),
+                                                    {0.0, 0.0, -height});
+    // The axis of the tube runs along x.
+    const Quat along_x = rotation(Vec3(0.0, 0.5 * pi, 0.0));
+    expect_work_of_rocking<CylinderWall, PatchHistory>({14e-3, 0.2, true}, along_x,
+                                                       {-0.1, 0.0, 14e-3 - height});
 }
 
 TEST(SrInsideCylinder, APointKeepsItsNumberWhileItMovesAndALostOneIsNotReused) {
