@@ -58,16 +58,19 @@ Aabb bounds(std::span<const PictureBody> bodies) {
     return box;
 }
 
+Vec3 towards_viewer(const PictureView& view) {
+    const double ce = math::cos(view.elevation);
+    return {ce * math::cos(view.azimuth), ce * math::sin(view.azimuth), math::sin(view.elevation)};
+}
+
 Camera make_camera(const PictureView& view, std::span<const PictureBody> bodies,
                    const Segments& lines) {
-    const double ce = math::cos(view.elevation);
-    const Vec3 towards_viewer(ce * math::cos(view.azimuth), ce * math::sin(view.azimuth),
-                              math::sin(view.elevation));
-    const Vec3 right = Vec3::UnitZ().cross(towards_viewer).normalized();
+    const Vec3 back = towards_viewer(view);
+    const Vec3 right = Vec3::UnitZ().cross(back).normalized();
     Camera camera;
     camera.axes.row(0) = right;
-    camera.axes.row(1) = towards_viewer.cross(right);
-    camera.axes.row(2) = -towards_viewer;
+    camera.axes.row(1) = back.cross(right);
+    camera.axes.row(2) = -back;
 
     Aabb seen;
     for (const PictureBody& body : bodies) {
@@ -215,7 +218,7 @@ class Canvas {
 
 Image render_picture(std::span<const PictureBody> bodies, std::span<const Wall> walls, double time,
                      const PictureView& view) {
-    const Segments lines = wall_lines(walls, time, bounds(bodies));
+    const Segments lines = wall_lines(walls, {time, bounds(bodies), towards_viewer(view)});
     Canvas canvas(make_camera(view, bodies, lines));
     for (std::size_t k = 0; k < bodies.size(); ++k) {
         canvas.draw(bodies[k], static_cast<std::uint32_t>(k));

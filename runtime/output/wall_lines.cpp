@@ -4,6 +4,7 @@
 #include "common/math/elementary.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace dem::runtime {
@@ -26,8 +27,9 @@ Vec3 placed(const WallState& state, const Vec2& rz, double angle) {
     return state.position + state.body.orientation * Vec3(rz.x() * cosine, rz.x() * sine, rz.y());
 }
 
-void add_outline(Segments& lines, const Wall& wall, double time, const Aabb& bodies) {
-    const WallState state = wall_state(wall, time);
+void add_outline(Segments& lines, const Wall& wall, const WallView& view) {
+    const WallState state = wall_state(wall, view.time);
+    const Aabb& bodies = view.bodies;
     const Vec3 axis = state.frame().axis;
     const std::pair<double, double> ends = std::minmax(
         {(bodies.lower - state.position).dot(axis), (bodies.upper - state.position).dot(axis)});
@@ -39,9 +41,14 @@ void add_outline(Segments& lines, const Wall& wall, double time, const Aabb& bod
             lines.emplace_back(placed(state, ring, 2.0 * pi * k / sides),
                                placed(state, ring, 2.0 * pi * (k + 1) / sides));
     }
-    for (const auto& [from, to] : outline.lines)
-        lines.emplace_back(state.position + state.body.orientation * from,
-                           state.position + state.body.orientation * to);
+    const auto add = [&](const std::vector<std::array<Vec3, 2>>& some) {
+        for (const auto& [from, to] : some)
+            lines.emplace_back(state.position + state.body.orientation * from,
+                               state.position + state.body.orientation * to);
+    };
+    add(outline.lines);
+    if (const auto* mesh = std::get_if<MeshWall>(&wall.shape))
+        add(mesh->silhouette(state.body.orientation.conjugate() * view.towards_viewer));
     for (int k = 0; k < 4; ++k) {
         for (const auto& [from, to] : outline.meridians)
             lines.emplace_back(placed(state, from, 0.5 * pi * k), placed(state, to, 0.5 * pi * k));
@@ -115,10 +122,10 @@ void add_planes(Segments& lines, std::span<const Wall> walls, double time, const
 
 }  // namespace
 
-Segments wall_lines(std::span<const Wall> walls, double time, const Aabb& bodies) {
+Segments wall_lines(std::span<const Wall> walls, const WallView& view) {
     Segments lines;
-    for (const Wall& wall : walls) add_outline(lines, wall, time, bodies);
-    add_planes(lines, walls, time, bodies);
+    for (const Wall& wall : walls) add_outline(lines, wall, view);
+    add_planes(lines, walls, view.time, view.bodies);
     return lines;
 }
 

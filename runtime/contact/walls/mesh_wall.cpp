@@ -15,15 +15,40 @@ WallExtent MeshWall::extent() const {
     return extent;
 }
 
-WallOutline MeshWall::outline(double /*low*/, double /*high*/) const {
-    constexpr double shown_bend = 15.0 * pi / 180.0;
-    WallOutline outline;
-    for (std::uint32_t h = 0; h < mesh->twins.size(); ++h) {
-        // Every edge once, by the first of its half edges.
-        if (mesh->twins[h] < h || std::abs(mesh->bends[h]) < shown_bend) continue;
-        outline.lines.push_back({mesh->corner(h / 3, h % 3), mesh->corner(h / 3, (h + 1) % 3)});
+namespace {
+
+/// Edges that bend by more are shown in any view [rad].
+constexpr double shown_bend = 15.0 * pi / 180.0;
+
+/// Calls use(h, ends) for every edge once, by the first of its half edges.
+template <class Use>
+void for_each_edge(const WallMesh& mesh, const Use& use) {
+    for (std::uint32_t h = 0; h < mesh.twins.size(); ++h) {
+        if (mesh.twins[h] < h) continue;
+        use(h, std::array<Vec3, 2>{mesh.corner(h / 3, h % 3), mesh.corner(h / 3, (h + 1) % 3)});
     }
+}
+
+}  // namespace
+
+WallOutline MeshWall::outline(double /*low*/, double /*high*/) const {
+    WallOutline outline;
+    for_each_edge(*mesh, [&](std::uint32_t h, const std::array<Vec3, 2>& ends) {
+        if (std::abs(mesh->bends[h]) >= shown_bend) outline.lines.push_back(ends);
+    });
     return outline;
+}
+
+std::vector<std::array<Vec3, 2>> MeshWall::silhouette(const Vec3& towards_viewer) const {
+    std::vector<std::array<Vec3, 2>> lines;
+    for_each_edge(*mesh, [&](std::uint32_t h, const std::array<Vec3, 2>& ends) {
+        if (std::abs(mesh->bends[h]) >= shown_bend) return;
+        const auto faces_viewer = [&](std::uint32_t half_edge) {
+            return mesh->normals[half_edge / 3].dot(towards_viewer) > 0.0;
+        };
+        if (faces_viewer(h) != faces_viewer(mesh->twins[h])) lines.push_back(ends);
+    });
+    return lines;
 }
 
 double MeshWall::surface_turn(const Quat& before, const Quat& after) {

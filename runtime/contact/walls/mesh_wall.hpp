@@ -21,6 +21,8 @@ struct MeshWall {
     static bool confines(double /*low*/, double /*high*/) { return false; }
     /// Its rims and the edges that bend by more than 15 degrees.
     WallOutline outline(double low, double high) const;
+    /// The other edges where it turns away from a viewer far away in this direction, ends of each.
+    std::vector<std::array<Vec3, 2>> silhouette(const Vec3& towards_viewer) const;
     /// Any turn moves its surface.
     static double surface_turn(const Quat& before, const Quat& after);
 };

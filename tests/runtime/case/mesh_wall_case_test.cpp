@@ -42,7 +42,7 @@ TEST_F(MeshWallCase, PlacesTheTemplateScaledTurnedAndMoved) {
 TEST_F(MeshWallCase, PicturesShowItsEdges) {
     const Scene scene = scene_of(wall("position = 1 0 0\n"));
     const std::vector<Wall> bin{scene.walls.back()};
-    const Segments lines = wall_lines(bin, 0.0, Aabb{Vec3::Zero(), Vec3::Ones()});
+    const Segments lines = wall_lines(bin, {0.0, Aabb{Vec3::Zero(), Vec3::Ones()}});
     ASSERT_EQ(lines.size(), 12U);
     for (const auto& [from, to] : lines) {
         EXPECT_GE(from.x(), 1.0);

@@ -2,8 +2,11 @@
 #include "runtime/output/picture.hpp"
 
 #include "runtime/output/wall_lines.hpp"
+#include "tests/support/sample_walls.hpp"
 
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -96,7 +99,7 @@ TEST(WallLines, OfABoxAreItsEdges) {
     bodies.extend(Vec3(-0.7, -1.5, 0.2));
     bodies.extend(Vec3(0.8, 1.5, 3.0));
     double length = 0.0;
-    for (const auto& [from, to] : wall_lines(walls, 0.0, bodies)) {
+    for (const auto& [from, to] : wall_lines(walls, {0.0, bodies})) {
         for (const Vec3& x : {from, to}) {
             EXPECT_NEAR(std::abs(x.x()), 1.0, 1e-12);
             EXPECT_NEAR(std::abs(x.y()), 2.0, 1e-12);
@@ -105,6 +108,29 @@ TEST(WallLines, OfABoxAreItsEdges) {
         length += (to - from).norm();
     }
     EXPECT_NEAR(length, 2.0 * (2.0 + 4.0) + 4.0 * (2.0 + 3.0) + 4.0 * (4.0 + 3.0), 1e-9);
+}
+
+// Seen from the side a tube of 64 facets is two lines between its rims.
+TEST(WallLines, OfASmoothMeshAreItsRimsAndItsSilhouette) {
+    Wall tube;
+    tube.shape = MeshWall{std::make_shared<const WallMesh>(sample::tube(2.0, 0.0, 5.0, 64).wall())};
+    tube.position = {10.0, 0.0, 0.0};
+    const Vec3 viewer = Vec3(0.02, -1.0, 0.0).normalized();
+    const Aabb bodies{Vec3::Zero(), Vec3::Ones()};
+    double at_rims = 0.0;
+    std::vector<double> sides;
+    for (const auto& [from, to] : wall_lines(std::span(&tube, 1), {0.0, bodies, viewer})) {
+        if (from.z() == to.z()) {
+            at_rims += (to - from).norm();
+        } else {
+            EXPECT_NEAR((to - from).norm(), 5.0, 1e-12);
+            sides.push_back(from.x() - 10.0);
+        }
+    }
+    EXPECT_NEAR(at_rims, 2.0 * 64.0 * 4.0 * std::sin(pi / 64.0), 1e-9);
+    ASSERT_EQ(sides.size(), 2U);
+    EXPECT_NEAR(std::abs(sides[0]), 2.0, 0.02);
+    EXPECT_NEAR(sides[0] + sides[1], 0.0, 1e-12);
 }
 
 TEST(Picture, APngHoldsItsSizeAndEndsWithItsTrailer) {
