@@ -281,13 +281,15 @@ std::optional<Quat> Values::optional_orientation(std::string_view key) const {
     std::vector<double> v;
     try {
         v = parse_quantities(value, Dimension::none);
-    } catch (const Error& error) {
-        throw Error(where(key), error.what());
+    } catch (const Error&) {
+        v.clear();
     }
     const Quat q = v.size() == 4 ? Quat(v[0], v[1], v[2], v[3]) : Quat(0.0, 0.0, 0.0, 0.0);
     if (v.size() != 4 || !(q.norm() > 0.0)) {
-        throw Error(where(key),
-                    "found " + in_quotes(value) + ", expected 'random' or a quaternion w x y z");
+        const std::string word(key_of(key).words);
+        throw Error(where(key), "found " + in_quotes(value) + ", expected " +
+                                    (word.empty() ? "" : in_quotes(word) + " or ") +
+                                    "a quaternion w x y z");
     }
     return q.normalized();
 }

@@ -89,7 +89,7 @@ MeshFile read_mesh_file(const std::filesystem::path& path) {
         for (const std::string& note : file.soup.notes) beside += "; " + note;
         throw Error(path.string(), "found " + std::to_string(file.soup.points.size()) +
                                        " points and no faces" + beside +
-                                       ", expected a closed surface");
+                                       ", expected faces of a surface");
     }
     // Of the triangles that they are cut into, 32 bits count the corners.
     if (3 * file.soup.corners.size() > 0xffff'ffff)

@@ -76,13 +76,39 @@ void look_at(const TemplateFile& file) {
     promise(template_text(nameless).find("nan") == std::string::npos, "inspect prints numbers");
 }
 
+void look_at(const TemplateFile& head, const WallTemplate& wall) {
+    const WallMesh& mesh = wall.mesh;
+    StateHash hash;
+    walk(mesh.vertices, hash);
+    walk(mesh.triangles, hash);
+    walk(mesh.twins, hash);
+    walk(mesh.bends, hash);
+    walk(mesh.patches, hash);
+    walk(mesh.blends, hash);
+    walk(mesh.boxes, hash);
+    promise(!mesh.triangles.empty(), "a wall has triangles");
+    const double size = (mesh.bounds.upper - mesh.bounds.lower).norm();
+    promise_positive(size, "the size of a wall");
+    const Vec3 middle = 0.5 * (mesh.bounds.lower + mesh.bounds.upper);
+    for (const Vec3& x : {middle, mesh.bounds.lower, Vec3(middle + Vec3(0.0, 0.0, 2.0 * size))}) {
+        promise_finite(distance_within(mesh, x, 4.0 * size), "a distance");
+        promise(first_crossed(mesh, x, mesh.bounds.upper) <= mesh.triangles.size(),
+                "a crossed triangle is one");
+    }
+    promise(!template_json(head, wall).empty(), "inspect --json prints");
+}
+
 }  // namespace
 
 bool reads_template(Bytes bytes) {
     static const std::array<std::string, 1> places = {"x.tpl: "};
     sample::Bytes copy(bytes.size());
     if (!bytes.empty()) std::memcpy(copy.bytes.data(), bytes.data(), bytes.size());
-    return accepts(places, [&] { look_at(read_template(copy.memory, copy.bytes, "x.tpl")); });
+    return accepts(places, [&] {
+        const TemplateLibrary library(copy.memory, copy.bytes, "x.tpl");
+        if (library.is_wall(0)) return look_at(library.head(), library.wall(0));
+        look_at(read_template(copy.memory, copy.bytes, "x.tpl"));
+    });
 }
 
 }  // namespace dem::fuzz
