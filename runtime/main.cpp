@@ -147,10 +147,11 @@ void report(const RunResult& result, const std::string& directory) {
                   << " s; its files stay as they are, unread\n";
         return;
     }
-    std::cout << result.particles << " particles, " << result.steps << " steps to " << result.time
-              << " s in " << format_duration(result.wall_time) << " ("
-              << result.microseconds_per_particle_step << " us per particle and step)\nresults in "
-              << directory << "\n";
+    std::cout << result.particles << " particles, ";
+    if (result.removed > 0) std::cout << result.removed << " more were taken out, ";
+    std::cout << result.steps << " steps to " << result.time << " s in "
+              << format_duration(result.wall_time) << " (" << result.microseconds_per_particle_step
+              << " us per particle and step)\nresults in " << directory << "\n";
     if (result.core_overlaps > 0) {
         std::cerr << "demrun: warning: in " << result.core_overlaps
                   << " contacts convex bodies overlapped by more than their roundings, where the "

@@ -180,10 +180,16 @@ std::exception_ptr run_to_end(RunParts& run, const RunOptions& options, std::uin
     }
 }
 
+std::uint64_t removed_bodies(const Simulation& simulation) {
+    const Particles& p = simulation.particles();
+    return p.next_id - p.size();  // ids are never given twice
+}
+
 /// The last state. A run that came to its end without some of its bodies has failed.
 void describe_state(const Simulation& simulation, RunResult& result) {
     result.steps = simulation.steps();
     result.particles = simulation.particles().size();
+    result.removed = removed_bodies(simulation);
     result.time = simulation.time();
     result.time_step = simulation.time_step();
     result.core_overlaps = simulation.core_overlaps();

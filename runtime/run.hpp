@@ -39,6 +39,7 @@ struct RunResult {
     bool was_finished = false;  ///< a resumed run was: nothing was computed, no file touched
     std::uint64_t steps = 0;
     std::uint32_t particles = 0;
+    std::uint64_t removed = 0;  ///< particles that outlets, or the end of the domain, took out
     std::uint64_t particle_steps = 0;             ///< particles, summed over the steps
     double time = 0.0;                            ///< simulated [s]
     double time_step = 0.0;                       ///< [s]

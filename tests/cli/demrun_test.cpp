@@ -205,6 +205,18 @@ TEST_F(Demrun, NothingOfARunThatIsWrittenOverStays) {
     EXPECT_FALSE(fs::exists(folder_ / "case/contacts.xdmf"));
 }
 
+TEST_F(Demrun, TheLastLineTellsHowManyWereTakenOut) {
+    const Outcome outcome = demrun(
+        "case.ini --set run.end_time=100ms --set 'run.gravity=0 0 -9.81' --set "
+        "wall.room.open=bottom "
+        "--set 'run.domain=box -25 -25 -10 25 25 70 mm' --set run.domain_exit=remove "
+        "--set output.picture=no");
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_TRUE(outcome.output.starts_with("0 particles, 20 more were taken out, "))
+        << outcome.output;
+    EXPECT_EQ(demrun("case.ini --force").output.find("taken out"), std::string::npos);
+}
+
 TEST_F(Demrun, ClosedStandardStreamsAndBrokenPipesHarmNoFile) {
     ASSERT_EQ(demrun("case.ini --quiet --out open").code, 0);
     write("closed.sh", program("demrun") + " case.ini --out closed <&- >&- 2>&-\n" +

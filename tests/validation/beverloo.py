@@ -21,11 +21,12 @@ COMMON = """
 gravity = 0 0 -9.81
 end_time = {end} s
 stop = {stop}
+overlap_limit = 0.15
 domain = box -50 -50 -30 50 50 600 mm
 domain_exit = remove
 [material.grain]
 density = 1200
-youngs_modulus = 2 MPa
+youngs_modulus = 5 MPa
 poissons_ratio = 0.3
 [contact]
 restitution = 0.6
@@ -97,7 +98,7 @@ def fill(kind, half_angle, orifice, reuse):
     name = f"beverloo_{kind}_{orifice:g}_fill"
     low = 1.0 if half_angle == 90 else 70.0
     bodies = LATTICE.format(count=7000, low=low, high=low + 190.0, gate=-0.1)
-    case = COMMON.format(end=1.2, stop="at_rest", bodies=bodies, hopper=hopper(name, orifice, half_angle), picture="no")
+    case = COMMON.format(end=0.8, stop="at_rest", bodies=bodies, hopper=hopper(name, orifice, half_angle), picture="no")
     return Run(name, case, "--threads", "1", reuse=reuse).directory / "final.csv"
 
 
@@ -107,7 +108,7 @@ class Discharge:
     def __init__(self, kind, half_angle, orifice, table, reuse):
         name = f"beverloo_{kind}_{orifice:g}"
         bodies = BED.format(table=table)
-        case = COMMON.format(end=1.2, stop="end_time", bodies=bodies, hopper=hopper(name, orifice, half_angle), picture="yes")
+        case = COMMON.format(end=0.9, stop="end_time", bodies=bodies, hopper=hopper(name, orifice, half_angle), picture="yes")
         self.run = Run(name, case, "--threads", "1", reuse=reuse)
         history = self.run.history
         self.time, self.mass = history["time"], history["orifice_mass"]
@@ -159,7 +160,7 @@ def main():
     page = Page("beverloo", "Discharge from hoppers")
     page.text(f"""
 Spheres of {DIAMETER:g} mm run out of a flat-bottomed vessel of {VESSEL:g} mm through round openings of {ORIFICES[0]:g} to {ORIFICES[-1]:g} mm; vessel and floor
-are one wall of triangles (128 facets around). {int(flat[0].run.history["particles"][0])} spheres, friction 0.5 everywhere, restitution 0.6, 2 MPa; they come to rest on a closed
+are one wall of triangles (128 facets around). {int(flat[0].run.history["particles"][0])} spheres, friction 0.5 everywhere, restitution 0.6, 5 MPa; they come to rest on a closed
 opening first. Beverloo, Leniger and van de Velde (1961): W = C rho_b sqrt(g) (D - k d)^2.5 with C from 0.55 to 0.65 and k about 1.4 for spheres. Bulk density
 of the bed at rest between 20 and 60 mm: {bulk:.0f} kg/m^3. Rates are slopes of the mass that has passed the opening, from 0.2 s on until 40 % are out, with the
 standard error of five parts of that time.""")
