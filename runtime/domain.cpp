@@ -43,10 +43,6 @@ struct ExtendByRegion {
     }
 };
 
-double active_time(const WallMotion& motion, double end_time) {
-    return std::max(0.0, std::min(motion.until, end_time) - motion.from);
-}
-
 // Of the wall's origin, of a mesh of its corners [m].
 double farthest_from(const Wall& wall, const Vec3& point) {
     double farthest = (wall.position - point).norm();
@@ -57,35 +53,53 @@ double farthest_from(const Wall& wall, const Vec3& point) {
     return farthest;
 }
 
-// How far the wall's origin can get from where it is at time 0 [m].
-double displacement_bound(const Wall& wall, double end_time) {
-    const WallMotion& motion = wall.motion;
-    switch (motion.kind) {
-        case WallMotion::Kind::none:
-            return 0.0;
-        case WallMotion::Kind::translate:
-            return motion.velocity.norm() * active_time(motion, end_time);
-        case WallMotion::Kind::rotate:
-            return 2.0 * farthest_from(wall, motion.point);
-        case WallMotion::Kind::oscillate:
-            return motion.amplitude;
+/// How far a wall with one simple piece of motion can get from where it is at time 0 [m].
+double displacement_bound(const Wall& wall, const MotionPiece& piece, double end_time) {
+    switch (piece.kind) {
+        case MotionPiece::Kind::translate:
+            return std::max(piece.velocity.norm(), piece.initial_velocity.norm()) *
+                   std::max(0.0, std::min(piece.until, end_time) - piece.from);
+        case MotionPiece::Kind::rotate:
+            return 2.0 * farthest_from(wall, piece.point);
+        case MotionPiece::Kind::oscillate:
+            return piece.amplitude;
+        case MotionPiece::Kind::table:
+            break;
     }
     return 0.0;
 }
 
-// Of surface points within `reach` [m] of the axis [m/s].
-double speed_bound(const WallMotion& motion, double reach) {
-    switch (motion.kind) {
-        case WallMotion::Kind::none:
-            return 0.0;
-        case WallMotion::Kind::translate:
-            return motion.velocity.norm();
-        case WallMotion::Kind::rotate:
-            return std::abs(motion.rate) * reach;
-        case WallMotion::Kind::oscillate:
-            return 2.0 * pi * motion.frequency * motion.amplitude;
+/// How far the wall's origin, or corners of the box around its triangles, are from where they are
+/// at time 0 [m].
+double displacement(const Wall& wall, const MotionTime& time) {
+    const WallState before = wall_state(wall, 0.0);
+    const WallState now = wall_state(wall, time);
+    double farthest = (now.position - before.position).norm();
+    const auto* mesh = std::get_if<MeshWall>(&wall.shape);
+    for (int k = 0; mesh != nullptr && k < 8; ++k) {
+        const Aabb& box = mesh->mesh->bounds;
+        const Vec3 corner((k & 1) != 0 ? box.upper.x() : box.lower.x(),
+                          (k & 2) != 0 ? box.upper.y() : box.lower.y(),
+                          (k & 4) != 0 ? box.upper.z() : box.lower.z());
+        const Vec3 way = now.position + now.body.orientation * corner - before.position -
+                         before.body.orientation * corner;
+        farthest = std::max(farthest, way.norm());
     }
-    return 0.0;
+    return farthest;
+}
+
+double displacement_bound(const Wall& wall, double end_time) {
+    const Motion& motion = wall.motion;
+    if (!motion.moves()) return 0.0;
+    const bool is_simple = motion.pieces.size() == 1 && motion.within == nullptr &&
+                           std::isinf(motion.period) &&
+                           motion.pieces[0].kind != MotionPiece::Kind::table;
+    if (is_simple) return displacement_bound(wall, motion.pieces[0], end_time);
+    constexpr int looks = 2000;
+    double farthest = 0.0;
+    for (int k = 0; k <= looks; ++k)
+        farthest = std::max(farthest, displacement(wall, {end_time * k / looks, 0.0}));
+    return farthest;
 }
 
 double initial_speed(const InsertionGroup& group) {
@@ -117,7 +131,7 @@ double full_fall(const Scene& scene, const Vec3& edges) {
 double largest_wall_speed(const Scene& scene, double reach) {
     double speed = 0.0;
     for (const Wall& wall : scene.walls) {
-        speed = std::max(speed, speed_bound(wall.motion, reach));
+        speed = std::max(speed, largest_speed(wall.motion, reach) + wall.surface_velocity.norm());
     }
     return speed;
 }
@@ -193,11 +207,14 @@ double fall(const Scene& scene, const InsertionGroup& group, const Aabb& all) {
     return std::min(farthest, std::abs(g) * (ground + collapse(scene, group, *axis)));
 }
 
-/// Walls that lift bodies or make way for them.
+/// Whether a wall lifts bodies or makes way for them: all but those that only swing.
 bool has_moving_wall(const Scene& scene) {
-    return std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
-        return wall.motion.kind == WallMotion::Kind::translate ||
-               wall.motion.kind == WallMotion::Kind::rotate;
+    const auto swings = [](const MotionPiece& piece) {
+        return piece.kind == MotionPiece::Kind::oscillate;
+    };
+    return std::ranges::any_of(scene.walls, [&](const Wall& wall) {
+        return wall.motion.within != nullptr || !wall.surface_velocity.isZero(0.0) ||
+               !std::ranges::all_of(wall.motion.pieces, swings);
     });
 }
 

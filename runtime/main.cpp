@@ -11,6 +11,7 @@
 #include "runtime/output/earlier_run.hpp"
 #include "runtime/run.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -152,12 +153,17 @@ void report(const RunResult& result, const std::string& directory) {
     std::cout << result.steps << " steps to " << result.time << " s in "
               << format_duration(result.wall_time) << " (" << result.microseconds_per_particle_step
               << " us per particle and step)\nresults in " << directory << "\n";
+    if (!std::isinf(result.settled))
+        std::cout << "the bodies had settled at " << result.settled << " s, when motions began\n";
     if (result.core_overlaps > 0) {
         std::cerr << "demrun: warning: in " << result.core_overlaps
                   << " contacts convex bodies overlapped by more than their roundings, where the "
                      "direction of the force may jump; a stiffer material or a larger rounding "
                      "avoids it\n";
     }
+    if (result.has_waiting_motion)
+        std::cerr << "demrun: warning: the bodies had not settled by " << result.time
+                  << " s, and no motion with from = settled has begun\n";
 }
 
 /// One line per group of which bodies are missing. Returns whether a region could not hold what the

@@ -153,7 +153,8 @@ void run_steps(RunParts& run, const RunOptions& options, std::uint64_t last_step
             run.outputs.will_ask_for_contacts(static_cast<double>(next) * simulation.time_step());
         simulation.step(wants_next || is_shown || next == last_step);
         ++run.good_steps;
-        if (stop_at_rest) run.at_rest.look(simulation);
+        if (stop_at_rest)
+            run.at_rest.look(simulation.bodies(), simulation.time(), simulation.is_inserted());
         result.particle_steps += simulation.particles().size();
         report(options, simulation);
     }
@@ -192,6 +193,8 @@ void describe_state(const Simulation& simulation, RunResult& result) {
     result.removed = removed_bodies(simulation);
     result.time = simulation.time();
     result.time_step = simulation.time_step();
+    result.settled = simulation.walls().settled;
+    result.has_waiting_motion = simulation.has_waiting_motion();
     result.core_overlaps = simulation.core_overlaps();
     result.state_hash = simulation.state_hash();
     result.missing = missing_bodies(simulation);

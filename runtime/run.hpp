@@ -43,6 +43,8 @@ struct RunResult {
     std::uint64_t particle_steps = 0;             ///< particles, summed over the steps
     double time = 0.0;                            ///< simulated [s]
     double time_step = 0.0;                       ///< [s]
+    double settled = infinite;                    ///< when motions began that wait for it [s]
+    bool has_waiting_motion = false;              ///< one that waits still
     double wall_time = 0.0;                       ///< of the time loop [s]
     double measure_time = 0.0;                    ///< of that for measures [s]
     double output_time = 0.0;                     ///< of that for frames, rows, checkpoints [s]

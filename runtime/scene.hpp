@@ -148,6 +148,7 @@ struct Scene {
     std::vector<BodyKind> kinds;
     LawTable laws;
     std::vector<Wall> walls;
+    std::vector<Motion> motions;  ///< those of [motion.NAME], for whoever checks the case
     std::vector<InsertionGroup> insertions;
     std::vector<Outlet> outlets;
     OutputSettings output;

@@ -12,6 +12,7 @@
 #include "runtime/measure/energy.hpp"
 #include "runtime/overlap.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <utility>
@@ -30,6 +31,13 @@ std::vector<double> surface_reach(const Scene& scene) {
     return reach;
 }
 
+/// Whether the motion of a wall begins only when the bodies have settled.
+bool waits(const Wall& wall) {
+    const Motion* motion = &wall.motion;
+    while (motion != nullptr && !motion->from_settled) motion = motion->within.get();
+    return motion != nullptr;
+}
+
 /// Of the wall where a point is [m/s].
 Vec3 velocity_at(const WallState& wall, const Vec3& x) {
     return wall.body.velocity + wall.body.angular_velocity.cross(x - wall.position);
@@ -46,6 +54,8 @@ Simulation::Simulation(Scene scene, double dt)
       surface_reach_(surface_reach(scene_)),
       integrator_(make_integrator(scene_, surface_reach_)),
       wall_margins_(wall_margins(scene_)),
+      motions_wait_(std::ranges::any_of(scene_.walls, waits)),
+      settling_(scene_, true),
       tunnels_(scene_),
       wall_loads_(scene_),
       inserter_(scene_),
@@ -83,6 +93,7 @@ void Simulation::step(bool looks) {
     correct(particles_, scene_.kinds, integrator_, dt_);  // 10 v(t + dt)
     let_out();                                            // 11
     insert_due();                                         // 12
+    begin_motions();                                      // 13
 }
 
 void Simulation::let_out() {
@@ -112,6 +123,15 @@ void Simulation::insert_due() {
         inserted_energy_ += mechanical_energy(particles_, scene_, i);
     }
     outlets_.settle(scene_, particles_);
+}
+
+void Simulation::begin_motions() {
+    if (!has_waiting_motion()) return;
+    settling_.look(bodies(), time(), is_inserted());
+    if (!settling_.was_reached()) return;
+    walls_.settled = time();
+    for (std::size_t w = 0; w < scene_.walls.size(); ++w)
+        walls_.state[w] = wall_state(scene_.walls[w], {time(), walls_.settled});
 }
 
 void Simulation::rebuild_lists() {

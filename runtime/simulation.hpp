@@ -5,6 +5,7 @@
 #include "runtime/broad_phase/body_aabb.hpp"
 #include "runtime/insertion/inserter.hpp"
 #include "runtime/integrator/integrator.hpp"
+#include "runtime/measure/at_rest.hpp"
 #include "runtime/narrow_phase/force_sum.hpp"
 #include "runtime/narrow_phase/narrow_phase.hpp"
 #include "runtime/narrow_phase/neighbor_lists.hpp"
@@ -15,6 +16,7 @@
 #include "runtime/walls/tunnels.hpp"
 #include "runtime/walls/wall_loads.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -48,8 +50,10 @@ class Simulation {
     const Particles& particles() const { return particles_; }
     const MovingWalls& walls() const { return walls_; }
     const NeighborLists& lists() const { return lists_; }
+    bool has_waiting_motion() const { return motions_wait_ && std::isinf(walls_.settled); }
     const EnergyLedger& ledger() const { return ledger_; }
     const Inserter& inserter() const { return inserter_; }
+    bool is_inserted() const { return std::isinf(inserter_.next_time()); }  ///< all that is to be
     const Outlets& outlets() const { return outlets_; }
     const LargestOverlap& largest_overlap() const { return largest_overlap_; }  ///< of this step
     /// Contacts in which the cores of two convex bodies have overlapped, so far.
@@ -79,6 +83,7 @@ class Simulation {
     static void visit_state(Self& self, Visit& visit);
     void insert_due();
     void let_out();
+    void begin_motions();
     void rebuild_lists();
     void check_bodies() const;
     void check_tunnels() const;
@@ -94,6 +99,8 @@ class Simulation {
     std::vector<double> surface_reach_;  ///< per kind: lever of a rotation that moves the surface
     Integrator integrator_;
     std::vector<double> wall_margins_;
+    bool motions_wait_;  ///< some, for the bodies to settle
+    AtRest settling_;
     TunnelWatch tunnels_;
     WallLoads wall_loads_;
     Inserter inserter_;

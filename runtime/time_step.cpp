@@ -3,6 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/math/elementary.hpp"
+#include "common/text.hpp"
 #include "runtime/contact/law/pair_law.hpp"
 #include "runtime/domain.hpp"
 #include "runtime/material_use.hpp"
@@ -59,10 +60,33 @@ double motion_time(const Scene& scene, double speed) {
         if (speed > 0.0) time = std::min(time, equivalent_radius(scene, kind) / speed);
     }
     for (const Wall& wall : scene.walls) {
-        if (wall.motion.kind != WallMotion::Kind::oscillate) continue;
-        time = std::min(time, 0.5 / wall.motion.frequency);
+        time = std::min(time, half_period(wall.motion));
     }
     return time;
+}
+
+std::string text(double value, const char* unit = " s") {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.3g%s", value, unit);
+    return buffer;
+}
+
+/// A line about the first wall whose motion takes it further than a radius of the smallest body in
+/// a step, if there is one.
+void check_motions(const Scene& scene, double dt) {
+    double radius = infinite;
+    for (const BodyKind& kind : scene.kinds)
+        radius = std::min(radius, equivalent_radius(scene, kind));
+    const Aabb extent = scene_extent(scene);
+    const double reach = extent.is_empty() ? 0.0 : (extent.upper - extent.lower).norm();
+    for (const Wall& wall : scene.walls) {
+        const double way = dt * largest_speed(wall.motion, reach) / radius;
+        if (!(way > 1.0)) continue;
+        throw Error(wall.motion.where,
+                    "wall " + in_quotes(wall.name) + " moves by up to " + text(way, " radii") +
+                        " of the smallest body in a time step of " + text(dt) +
+                        ", expected less than one: a slower motion or a shorter step");
+    }
 }
 
 // The shortest contact of a body: with its like of any material, m/2 and R/2, or with a wall. A
@@ -107,12 +131,6 @@ LinearContacts linear_contacts(const Scene& scene, const BodyKind& kind, const M
     return contacts;
 }
 
-std::string text(double value, const char* unit = " s") {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.3g%s", value, unit);
-    return buffer;
-}
-
 /// Steps are counted, and times computed from the count, without rounding up to here.
 constexpr double most_steps = 1e15;
 
@@ -149,6 +167,7 @@ TimeStep time_step(const Scene& scene) {
     if (scene.run.time_step) {
         step.value = *scene.run.time_step;
         if (step.value > step.critical && !scene.run.time_step_force) {
+            check_motions(scene, step.value);
             throw Error(scene.case_path,
                         "time step " + text(step.value) + " is above the critical time step " +
                             text(step.critical) +

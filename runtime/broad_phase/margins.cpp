@@ -44,7 +44,7 @@ std::vector<double> wall_margins(const Scene& scene) {
     const double margin = scene.run.skin ? 0.5 * *scene.run.skin : moving_wall_margin * smallest;
     std::vector<double> result;
     for (const Wall& wall : scene.walls) {
-        result.push_back(wall.motion.kind == WallMotion::Kind::none ? 0.0 : margin);
+        result.push_back(wall.motion.moves() ? margin : 0.0);
     }
     return result;
 }

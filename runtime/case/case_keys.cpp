@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/case/key.hpp"
+#include "runtime/case/motion_keys.hpp"
 
 namespace dem::runtime {
 
@@ -373,12 +374,13 @@ constexpr Key wall_keys[] = {
      .standard = "auto",
      .words = "auto",
      .doc = "the point about which `history.csv` gives torques on the wall; it stays where it is. "
-            "`auto`: `rotation_point`"},
+            "`auto`: `rotation_point`, or the `point` of a shared motion that rotates"},
     {.name = "motion",
      .type = choice,
      .standard = "none",
      .words = "none translate rotate oscillate",
-     .doc = "prescribed motion"},
+     .names = "motion",
+     .doc = "prescribed motion: a simple one of its own, or that of a section"},
     {.name = "velocity",
      .type = vector,
      .dimension = velocity,
@@ -429,6 +431,13 @@ constexpr Key wall_keys[] = {
      .words = "forever",
      .when = "motion=translate|rotate|oscillate",
      .doc = "the wall stays where it is after"},
+    {.name = "surface_velocity",
+     .type = vector,
+     .dimension = velocity,
+     .standard = "0 0 0",
+     .doc =
+         "of the surface of a wall that stands, as of a belt: along a plane, along the axis of a "
+         "cylinder, along every triangle of a mesh; of each face of a box the part along it"},
 };
 
 constexpr Key outlet_keys[] = {
@@ -540,6 +549,8 @@ constexpr SectionKind kinds[] = {
     {"particles.NAME", particles_keys,
      "One per group of bodies, inserted in the order of the file."},
     {"wall.NAME", wall_keys, "One per wall."},
+    {"motion.NAME", motion_keys, "A motion that one or several walls take (docs/motions.md)."},
+    {"motion.NAME.PIECE", piece_keys, ""},
     {"outlet.NAME", outlet_keys,
      "One per outlet; its columns in `history.csv` begin with its name (docs/output-files.md)."},
     {"output", output_keys, "At most one."},

@@ -59,7 +59,8 @@ std::string value_text(const Key& key) {
         case ValueType::yes_no:
             return "yes, no";
         case ValueType::choice:
-            return listed(key.words);
+            return listed(key.words) +
+                   (key.names.empty() ? "" : ", or NAME of [" + std::string(key.names) + ".NAME]");
         case ValueType::vector:
             return "x y z";
         case ValueType::orientation:
@@ -148,6 +149,10 @@ std::string describe_keys() {
         if (kind.pattern == "contact.A.B") {
             out << "### [contact.A.B]\n\nThe keys of [contact], for the materials A and B only, in "
                    "either order; what is not given here is taken from [contact].\n\n";
+        } else if (kind.pattern == "motion.NAME.PIECE") {
+            out << "### [motion.NAME.PIECE]\n\nA piece of the list [motion.NAME], in the order of "
+                   "time: "
+                   "the keys of [motion.NAME] for `kind` = translate, rotate or oscillate.\n\n";
         } else {
             describe(kind, out);
         }

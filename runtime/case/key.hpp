@@ -47,6 +47,7 @@ struct Key {
     bool required = false;
     std::string_view standard = {};  ///< the default, as one would write it; "": none
     std::string_view words = {};     ///< choices; else words that may stand for a value ("auto")
+    std::string_view names = {};     ///< "motion": beside the words the NAME of a [motion.NAME]
     std::string_view later = {};     ///< choices, or the key itself, that this version cannot do
     std::string_view when = {};      ///< "shape=box|plane": only with these choices of that key
     std::string_view doc = {};

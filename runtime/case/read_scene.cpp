@@ -180,8 +180,13 @@ Scene read_scene(const CaseFile& file) {
     for_each(file, "run", [&](const Values& v) { scene.run = read_run(v); });
     for_each(file, "material.NAME",
              [&](const Values& v) { scene.materials.push_back(read_material(v)); });
-    ParticleGroupReader groups(std::filesystem::path(file.path).parent_path());
+    const auto folder = std::filesystem::path(file.path).parent_path();
+    ParticleGroupReader groups(folder);
     for_each(file, "particles.NAME", [&](const Values& v) { groups.read(v, scene); });
+    MotionSections motions;
+    for_each(file, "motion.NAME", [&](const Values& v) { motions.heads.push_back(v); });
+    for_each(file, "motion.NAME.PIECE", [&](const Values& v) { motions.pieces.push_back(v); });
+    read_motions(motions, folder, scene);
     for_each(file, "wall.NAME", [&](const Values& v) { read_wall(v, scene); });
     for_each(file, "outlet.NAME",
              [&](const Values& v) { scene.outlets.push_back(read_outlet(v)); });

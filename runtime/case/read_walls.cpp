@@ -7,6 +7,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string_view>
 
 namespace dem::runtime {
@@ -143,34 +144,99 @@ Vec3 rotation_point(const Values& values, Shape shape) {
     return 0.5 * (values.vector("lower") + values.vector("upper"));
 }
 
-WallMotion read_motion(const Values& values, Shape shape) {
-    WallMotion motion;
-    motion.kind = values.choice<WallMotion::Kind>("motion");
-    switch (motion.kind) {
-        case WallMotion::Kind::none:
-            return motion;
-        case WallMotion::Kind::translate:
-            motion.velocity = values.vector("velocity");
-            break;
-        case WallMotion::Kind::rotate:
-            motion.rate = values.number("rate");
-            motion.axis = rotation_axis(values, shape);
-            motion.point = rotation_point(values, shape);
-            break;
-        case WallMotion::Kind::oscillate:
-            motion.axis = values.direction("direction");
-            motion.amplitude = values.number("amplitude");
-            motion.frequency = values.number("frequency");
-            break;
+/// About which torques are given unless the case says otherwise: what a shared motion turns about,
+/// or what one of its own would.
+Vec3 torque_point(const Values& values, Shape shape, const Motion& motion) {
+    const bool is_shared = !motion.name.empty() && motion.pieces.size() == 1;
+    if (is_shared && motion.pieces[0].kind == MotionPiece::Kind::rotate)
+        return motion.pieces[0].point;
+    return rotation_point(values, shape);
+}
+
+/// The one piece of a wall's own motion.
+MotionPiece read_piece(const Values& values, Shape shape) {
+    MotionPiece piece;
+    const std::string_view kind = values.word("motion");
+    if (kind == "translate") {
+        piece.kind = MotionPiece::Kind::translate;
+        piece.velocity = values.vector("velocity");
+    } else if (kind == "rotate") {
+        piece.kind = MotionPiece::Kind::rotate;
+        piece.rate = values.number("rate");
+        piece.axis = rotation_axis(values, shape);
+        piece.point = rotation_point(values, shape);
+    } else {
+        piece.kind = MotionPiece::Kind::oscillate;
+        piece.axis = values.direction("direction");
+        piece.amplitude = values.number("amplitude");
+        piece.frequency = values.number("frequency");
     }
-    motion.from = values.number("from");
-    motion.until = values.optional_number("until").value_or(motion.until);
-    if (!(motion.until > motion.from)) {
+    piece.from = values.number("from");
+    piece.until = values.optional_number("until").value_or(piece.until);
+    if (!(piece.until > piece.from)) {
         throw Error(values.where("until"),
                     "found " + in_quotes(values.text("until")) +
                         ", expected later than from = " + in_quotes(values.text("from")));
     }
+    return piece;
+}
+
+Motion read_motion(const Values& values, Shape shape, const Scene& scene) {
+    const std::string_view word = values.word("motion");
+    const bool is_own = word == "translate" || word == "rotate" || word == "oscillate";
+    if (word != "none" && !is_own)
+        return motion_of_name(scene, std::string(word), values.where("motion"));
+    Motion motion;
+    motion.where = values.section_where();
+    if (is_own) motion.pieces.push_back(read_piece(values, shape));
     return motion;
+}
+
+/// Shares of a surface velocity that may point out of the surface: rounding of what a case says,
+/// and of corners that are stored with seven digits.
+constexpr double share_out_of_plane = 1e-9;
+constexpr double share_out_of_triangle = 1e-4;
+
+void refuse_surface_velocity(const Values& values, const std::string& expected) {
+    throw Error(values.where("surface_velocity"),
+                "found " + in_quotes(values.text("surface_velocity")) + ", expected " + expected);
+}
+
+void check_surface_velocity(const Values& values, const Wall& wall, const Vec3& velocity) {
+    const double speed = velocity.norm();
+    const Vec3 axis = wall.orientation * Vec3::UnitZ();
+    if (values.word("shape") == "plane" &&
+        std::abs(velocity.dot(axis)) > share_out_of_plane * speed) {
+        refuse_surface_velocity(values, "it along the plane, at right angles to 'normal'");
+    }
+    if (std::holds_alternative<CylinderWall>(wall.shape) &&
+        velocity.cross(axis).norm() > share_out_of_plane * speed) {
+        refuse_surface_velocity(values,
+                                "it along the axis; 'motion = rotate' moves the surface around it");
+    }
+    const auto* mesh = std::get_if<MeshWall>(&wall.shape);
+    if (mesh == nullptr) return;
+    const Vec3 along = wall.orientation.conjugate() * velocity;
+    for (const Vec3& normal : mesh->mesh->normals) {
+        if (std::abs(normal.dot(along)) <= share_out_of_triangle * speed) continue;
+        refuse_surface_velocity(values,
+                                "it along every triangle of the mesh; make the surface "
+                                "that moves a wall of its own");
+    }
+}
+
+/// Gives the walls of a section the velocity of their surface: of each face the part along it.
+void set_surface_velocity(const Values& values, std::span<Wall> walls) {
+    const Vec3 velocity = values.vector("surface_velocity");
+    if (velocity.isZero(0.0)) return;
+    for (Wall& wall : walls) {
+        check_surface_velocity(values, wall, velocity);
+        wall.surface_velocity = wall.orientation.conjugate() * velocity;
+        if (!std::holds_alternative<PlaneWall>(wall.shape)) continue;
+        wall.surface_velocity.z() = 0.0;
+        if (wall.surface_velocity.norm() <= share_out_of_plane * velocity.norm())
+            wall.surface_velocity.setZero();
+    }
 }
 
 }  // namespace
@@ -180,9 +246,10 @@ void read_wall(const Values& values, Scene& scene) {
     Wall base;
     base.name = own_name(values.section_name());
     base.material = material_index(scene, values.text("material"), values.where("material"));
-    base.motion = read_motion(values, shape);
+    base.motion = read_motion(values, shape, scene);
     base.torque_point =
-        values.optional_vector("torque_point").value_or(rotation_point(values, shape));
+        values.optional_vector("torque_point").value_or(torque_point(values, shape, base.motion));
+    const std::size_t before = scene.walls.size();
     switch (shape) {
         case Shape::plane:
             scene.walls.push_back(
@@ -198,6 +265,7 @@ void read_wall(const Values& values, Scene& scene) {
             read_mesh(values, base, scene);
             break;
     }
+    set_surface_velocity(values, std::span(scene.walls).subspan(before));
 }
 
 }  // namespace dem::runtime

@@ -13,7 +13,7 @@
 #include <vector>
 
 /// The parts of read_scene, one per sort of section; each adds to the scene what its section says.
-/// Order: run, materials, particles, walls, outlets, laws, output, measures.
+/// Order: run, materials, particles, motions, walls, outlets, laws, output, measures.
 namespace dem::runtime {
 
 RunSettings read_run(const Values& values);
@@ -37,6 +37,17 @@ class ParticleGroupReader {
     std::map<double, ShapeLibrary> spheres_;         ///< by radius
     std::map<std::tuple<std::uint32_t, std::uint32_t, bool>, std::uint32_t> kinds_;
 };
+
+/// The sections of motions, in the order of the file.
+struct MotionSections {
+    std::vector<Values> heads;   ///< [motion.NAME]
+    std::vector<Values> pieces;  ///< [motion.NAME.PIECE]
+};
+/// `folder`: of the case file, for relative paths.
+void read_motions(const MotionSections& sections, const std::filesystem::path& folder,
+                  Scene& scene);
+/// Throws Error at `where`, with a suggestion, where no motion of the scene has the name.
+const Motion& motion_of_name(const Scene& scene, const std::string& name, const std::string& where);
 
 /// The faces of one [wall.NAME]: a box is up to six planes, a cylinder its side and its ends.
 void read_wall(const Values& values, Scene& scene);

@@ -4,6 +4,7 @@
 #include "common/progress.hpp"
 #include "common/threads/available_cores.hpp"
 #include "runtime/case/law_text.hpp"
+#include "runtime/case/motion_text.hpp"
 #include "runtime/case/run_cost.hpp"
 #include "runtime/insertion/inserter.hpp"
 #include "runtime/overlap.hpp"
@@ -109,7 +110,7 @@ std::string origin(const TimeStep& step, const std::vector<Wall>& walls) {
     if (step.critical == step.rayleigh) return "Rayleigh's";
     if (step.critical == step.hertz) return "Hertz's at " + speed.str();
     const bool has_oscillation = std::any_of(walls.begin(), walls.end(), [](const Wall& wall) {
-        return wall.motion.kind == WallMotion::Kind::oscillate;
+        return !std::isinf(half_period(wall.motion));
     });
     return "of the motion: one radius at " + speed.str() +
            (has_oscillation ? ", half a period of a wall" : "");
@@ -164,7 +165,8 @@ std::string check_scene(const Scene& scene, std::optional<double> resumed_at) {
     for (std::size_t w = 0; w < scene.walls.size(); ++w) {
         out << (w == 0 ? " (" : ", ") << scene.walls[w].name;
     }
-    out << (scene.walls.empty() ? "\n" : ")\n") << outlet_text(scene) << law_text(scene);
+    out << (scene.walls.empty() ? "\n" : ")\n") << motion_text(scene) << outlet_text(scene)
+        << law_text(scene);
     describe(step, scene, out);
     out << foreseen_overlap(scene) << "steps: ";
     const std::uint64_t steps = step_count(scene.run, step.value, scene.case_path);

@@ -178,7 +178,9 @@ std::string Values::text(std::string_view key) const {
 }
 
 std::string_view Values::word(std::string_view key) const {
-    return split(key_of(key).words, ' ')[choice_index(key)];
+    const auto words = split(key_of(key).words, ' ');
+    const std::size_t index = choice_index(key);
+    return index < words.size() ? words[index] : std::string_view(section_.find(key)->value);
 }
 
 std::size_t Values::choice_index(std::string_view key) const {
@@ -191,6 +193,7 @@ std::size_t Values::choice_index(std::string_view key) const {
         throw Error(section_.where,
                     "no " + in_quotes(key) + " in [" + section_.name + "], it is required");
     }
+    if (!k.names.empty()) return words.size();
     if (contains(k.later, value)) {
         throw Error(where(key), in_quotes(value) + " is not in this version" +
                                     suggestion_or_all("", strings(words)));

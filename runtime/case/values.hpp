@@ -43,7 +43,7 @@ class Values {
     E choice(std::string_view key) const {
         return static_cast<E>(choice_index(key));
     }
-    std::size_t choice_index(std::string_view key) const;
+    std::size_t choice_index(std::string_view key) const;  ///< of a name: the number of words
 
     // The same where a word ("auto") or nothing at all may stand instead: nullopt.
     std::optional<double> optional_number(std::string_view key) const;
@@ -60,7 +60,7 @@ class Values {
     const std::string& section_where() const { return section_.where; }
     const std::string& section_name() const { return section_.name; }
 
-    /// The choice the section makes (or gets by default) for a key, as a word.
+    /// The choice the section makes (or gets by default) for a key, as a word or a name.
     std::string_view word(std::string_view key) const;
 
   private:

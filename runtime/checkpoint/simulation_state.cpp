@@ -52,6 +52,10 @@ void Simulation::visit_state(Self& self, Visit& visit) {
     visit("steps", self.steps_);
     visit_particles(self.particles_, visit);
     visit("walls.travel", self.walls_.travel);
+    if (self.motions_wait_) {
+        visit("walls.settled", self.walls_.settled);
+        AtRest::visit_state(self.settling_, visit, "settling");
+    }
     visit("ledger.dissipated", self.ledger_.dissipated);
     visit("ledger.wall_work", self.ledger_.wall_work);
     visit("ledger.dissipated_before", self.ledger_.dissipated_before);
@@ -88,7 +92,7 @@ void Simulation::load(StateReader& reader) {
     particles_.old_torque.assign(particles_.size(), Vec3::Zero());
     outlets_.settle(scene_, particles_);
     for (std::size_t w = 0; w < scene_.walls.size(); ++w) {
-        walls_.state[w] = wall_state(scene_.walls[w], time());
+        walls_.state[w] = wall_state(scene_.walls[w], {time(), walls_.settled});
     }
     lists_ = load_contacts(particles_.size(), scene_.walls.size(), reader);
 }

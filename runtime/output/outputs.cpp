@@ -116,7 +116,8 @@ void write_picture(const std::filesystem::path& path, const Simulation& simulati
                           p.orientation[i], p.group[i]});
     }
     AtomicFile file(path);
-    file.write(encode_png(render_picture(bodies, scene.walls, simulation.time(), {})));
+    file.write(encode_png(
+        render_picture(bodies, scene.walls, {simulation.time(), simulation.walls().settled}, {})));
     file.commit();
 }
 

@@ -216,8 +216,8 @@ class Canvas {
 
 }  // namespace
 
-Image render_picture(std::span<const PictureBody> bodies, std::span<const Wall> walls, double time,
-                     const PictureView& view) {
+Image render_picture(std::span<const PictureBody> bodies, std::span<const Wall> walls,
+                     const MotionTime& time, const PictureView& view) {
     const Segments lines = wall_lines(walls, {time, bounds(bodies), towards_viewer(view)});
     Canvas canvas(make_camera(view, bodies, lines));
     for (std::size_t k = 0; k < bodies.size(); ++k) {

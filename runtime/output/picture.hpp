@@ -28,7 +28,7 @@ struct PictureView {
 };
 
 /// Renders bodies and walls; walls without limits are cut at the bodies' extent.
-Image render_picture(std::span<const PictureBody> bodies, std::span<const Wall> walls, double time,
-                     const PictureView& view);
+Image render_picture(std::span<const PictureBody> bodies, std::span<const Wall> walls,
+                     const MotionTime& time, const PictureView& view);
 
 }  // namespace dem::runtime

@@ -70,8 +70,8 @@ Polygon clip(const Polygon& polygon, const HalfSpace& side, double tolerance) {
 }
 
 /// The planes without end that come within `reach` of a box.
-std::vector<HalfSpace> near_planes(std::span<const Wall> walls, double time, const Aabb& box,
-                                   double reach) {
+std::vector<HalfSpace> near_planes(std::span<const Wall> walls, const MotionTime& time,
+                                   const Aabb& box, double reach) {
     std::vector<HalfSpace> planes;
     const Vec3 center = 0.5 * (box.lower + box.upper);
     for (const Wall& wall : walls) {
@@ -94,7 +94,8 @@ std::vector<HalfSpace> sides_of(const Aabb& box) {
 }
 
 // The box is extended to the planes near it, so that walls which no body touches are seen, too.
-void add_planes(Segments& lines, std::span<const Wall> walls, double time, const Aabb& bodies) {
+void add_planes(Segments& lines, std::span<const Wall> walls, const MotionTime& time,
+                const Aabb& bodies) {
     const double size = (bodies.upper - bodies.lower).norm();
     const std::vector<HalfSpace> planes = near_planes(walls, time, bodies, size);
     Aabb box = bodies;

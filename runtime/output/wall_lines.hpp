@@ -14,8 +14,8 @@ using Segments = std::vector<std::pair<Vec3, Vec3>>;
 
 /// What a picture shows, and from where.
 struct WallView {
-    double time = 0.0;  ///< [s]
-    Aabb bodies;        ///< what they fill [m]
+    MotionTime time = 0.0;
+    Aabb bodies;  ///< what they fill [m]
     Vec3 towards_viewer = -Vec3::UnitY();
 };
 

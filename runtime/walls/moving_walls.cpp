@@ -31,8 +31,8 @@ MovingWalls place_walls(std::span<const Wall> walls) {
 
 void move_walls(MovingWalls& moving, std::span<const Wall> walls, const Aabb& domain, double t) {
     for (std::size_t w = 0; w < walls.size(); ++w) {
-        if (walls[w].motion.kind == WallMotion::Kind::none) continue;
-        const WallState now = wall_state(walls[w], t);
+        if (!walls[w].motion.moves()) continue;
+        const WallState now = wall_state(walls[w], {t, moving.settled});
         const double reach = largest_distance(domain, now.position);
         moving.travel[w] += surface_travel(walls[w].shape, moving.state[w], now, reach);
         moving.state[w] = now;

@@ -15,6 +15,7 @@ struct MovingWalls {
     /// Bound on the way that any point of the wall's surface has gone since time 0, within the
     /// domain [m]. A body of revolution that turns about its own axis moves none of its surface.
     std::vector<double> travel;
+    double settled = infinite;  ///< when the bodies had settled for motions that wait for it [s]
 };
 
 /// The walls at time 0.

@@ -66,7 +66,7 @@ std::optional<std::uint32_t> TunnelWatch::crossed_wall(const Bodies& bodies, std
     for (const std::uint32_t w : walls_) {
         const Wall& wall = bodies.scene.walls[w];
         const WallMesh& mesh = *std::get<MeshWall>(wall.shape).mesh;
-        const Vec3 from = in_wall(wall_state(wall, time - dt), before);
+        const Vec3 from = in_wall(wall_state(wall, {time - dt, bodies.walls.settled}), before);
         const Vec3 to = in_wall(bodies.walls.state[w], now);
         if (first_crossed(mesh, from, to) < mesh.triangles.size()) return w;
     }

@@ -116,9 +116,8 @@ Bed drum_bed(const Settings& s) {
     drum.name = "drum";
     drum.shape = CylinderWall{.radius = radius};
     drum.orientation = orientation_towards(Vec3::UnitY());
-    drum.motion.kind = WallMotion::Kind::rotate;
-    drum.motion.axis = Vec3::UnitY();
-    drum.motion.rate = 2.0 * pi;
+    drum.motion.pieces = {
+        {.kind = MotionPiece::Kind::rotate, .axis = Vec3::UnitY(), .rate = 2.0 * pi}};
     bed.scene.insertions = {scenes::placed(std::move(bodies))};
     bed.scene.walls = {drum, scenes::plane(Vec3::Zero(), Vec3::UnitY()),
                        scenes::plane(length * Vec3::UnitY(), -Vec3::UnitY())};

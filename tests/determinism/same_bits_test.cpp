@@ -5,6 +5,7 @@
 #include "runtime/contact/law/pair_law.hpp"
 #include "runtime/measure/energy.hpp"
 #include "runtime/simulation.hpp"
+#include "runtime/walls/pose_table.hpp"
 #include "tests/runtime/simulation/scenes.hpp"
 #include "tests/support/sample_walls.hpp"
 
@@ -53,8 +54,8 @@ Scene polydisperse_spheres() {
     }
     scene.insertions.push_back(scenes::placed(bodies));
     scenes::add_box(scene, {-1e-3, -1e-3, 0.0}, {34e-3, 34e-3, 0.5});
-    WallMotion& shake = scene.walls[4].motion;
-    shake.kind = WallMotion::Kind::oscillate;
+    MotionPiece& shake = scene.walls[4].motion.pieces.emplace_back();
+    shake.kind = MotionPiece::Kind::oscillate;
     shake.axis = Vec3::UnitZ();
     shake.amplitude = 1e-3;
     shake.frequency = 40.0;
@@ -95,10 +96,10 @@ Scene batches_into_a_turning_vessel() {
     scene.insertions.push_back(group);
     scenes::add_vessel(scene, 15e-3);
     for (Wall& wall : scene.walls) {
-        wall.motion.kind = WallMotion::Kind::rotate;
-        wall.motion.axis = Vec3(0.1, 0.0, 1.0).normalized();
-        wall.motion.rate = 20.0;
-        wall.motion.from = 0.015;
+        wall.motion.pieces = {{.kind = MotionPiece::Kind::rotate,
+                               .axis = Vec3(0.1, 0.0, 1.0).normalized(),
+                               .rate = 20.0,
+                               .from = 0.015}};
     }
     return scene;
 }
@@ -110,9 +111,7 @@ void pour_into_turning_vessel(Scene& scene, std::uint32_t count, std::uint32_t k
     scene.insertions.push_back(scenes::placed(bodies));
     scenes::add_vessel(scene, 25e-3);
     for (Wall& wall : scene.walls) {
-        wall.motion.kind = WallMotion::Kind::rotate;
-        wall.motion.rate = 15.0;
-        wall.motion.from = 0.005;
+        wall.motion.pieces = {{.kind = MotionPiece::Kind::rotate, .rate = 15.0, .from = 0.005}};
     }
 }
 
@@ -142,7 +141,7 @@ Scene tablets() {
     scenes::add_kind(scene, scenes::tablet());
     pour_into_turning_vessel(scene, 60, 1);
     scene.walls[0].shape = CylinderWall{25e-3, 0.3};
-    scene.walls[1].motion.point = {5e-3, 0.0, 0.0};
+    scene.walls[1].motion.pieces[0].point = {5e-3, 0.0, 0.0};
     scene.run.overlap_limit = 0.3;
     return scene;
 }
@@ -211,15 +210,41 @@ Scene vessels_of_triangles() {
         return scene.walls.back();
     };
     Wall& box = wall("box", sample::box_inside({-0.035, -0.035, -0.01}, {0.035, 0.035, 0.3}));
-    box.motion.kind = WallMotion::Kind::oscillate;
-    box.motion.axis = Vec3(0.3, 0.0, 1.0).normalized();
-    box.motion.amplitude = 1e-3;
-    box.motion.frequency = 40.0;
+    box.motion.pieces = {{.kind = MotionPiece::Kind::oscillate,
+                          .axis = Vec3(0.3, 0.0, 1.0).normalized(),
+                          .amplitude = 1e-3,
+                          .frequency = 40.0}};
     Wall& tube = wall("tube", sample::tube(0.03, 0.005, 0.25, 60));
-    tube.motion.kind = WallMotion::Kind::rotate;
-    tube.motion.rate = 15.0;
-    tube.motion.from = 0.005;
+    tube.motion.pieces = {{.kind = MotionPiece::Kind::rotate, .rate = 15.0, .from = 0.005}};
     wall("ridge", sample::valley(-pi / 3.0, 0.02, 0.04));
+    return scene;
+}
+
+/// A vessel that turns to and fro about an axis that a table moves, on a belt, once what fell into
+/// it has settled.
+Scene motions_after_rest() {
+    Scene scene = scenes::one_material({2e6, 1000.0, 0.2, 0.5});
+    scenes::add_kind(scene, scenes::sphere(4e-3));
+    scene.insertions.push_back(scenes::placed(scenes::column(12, 1, 20e-3, 9e-3)));
+    for (BodyPlacement& body : scene.insertions[0].placements) body.position.z() -= 0.3e-3;
+    scenes::add_vessel(scene, 20e-3);
+    auto nod = std::make_shared<Motion>();
+    nod->pieces = {{.kind = MotionPiece::Kind::table, .until = 0.2}};
+    nod->pieces[0].table = std::make_shared<const PoseTable>(std::vector<PoseTable::Row>{
+        {0.0, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}},
+        {0.05, {1e-3, 0.0, 2e-3}, Quat(1.0, 0.1, 0.1, 0.0).normalized()},
+        {0.2, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}}});
+    nod->from_settled = true;
+    Motion turn;
+    turn.pieces = {
+        {.kind = MotionPiece::Kind::rotate, .rate = 20.0, .until = 0.02},
+        {.kind = MotionPiece::Kind::rotate, .rate = -15.0, .from = 0.025, .until = 0.05}};
+    turn.pieces[0].ramp = 0.015;
+    turn.period = 0.06;
+    turn.from_settled = true;
+    turn.within = nod;
+    for (Wall& wall : scene.walls) wall.motion = turn;
+    scene.walls[1].surface_velocity = {0.05, 0.02, 0.0};
     return scene;
 }
 
@@ -310,6 +335,7 @@ INSTANTIATE_TEST_SUITE_P(
                     NamedScene{"clumps", clump_mixture, 1e-5, 3000},
                     NamedScene{"convex", convex_mixture, 1e-5, 1500},
                     NamedScene{"no_slip", mixture_without_slip, 8e-6, 1000},
+                    NamedScene{"motions", motions_after_rest, 2e-5, 9000},
                     NamedScene{"triangles", vessels_of_triangles, 1e-5, 2500}),
     [](const auto& test) { return std::string(test.param.name); });
 

@@ -45,14 +45,13 @@ TEST(TimeStep, NothingTravelsFurtherThanItsSize) {
     };
     const double usual = critical([](Scene&) {});
     const double shaken = critical([](Scene& scene) {
-        scene.walls[0].motion.kind = WallMotion::Kind::oscillate;
-        scene.walls[0].motion.amplitude = 1e-6;
-        scene.walls[0].motion.frequency = 1e5;
+        scene.walls[0].motion.pieces = {
+            {.kind = MotionPiece::Kind::oscillate, .amplitude = 1e-6, .frequency = 1e5}};
     });
     EXPECT_DOUBLE_EQ(shaken, 0.5e-5);
     const double lifted = critical([](Scene& scene) {
-        scene.walls[0].motion.kind = WallMotion::Kind::translate;
-        scene.walls[0].motion.velocity = {0.0, 0.0, 1e6};
+        scene.walls[0].motion.pieces = {
+            {.kind = MotionPiece::Kind::translate, .velocity = {0.0, 0.0, 1e6}}};
     });
     EXPECT_NEAR(lifted, radius / 1e6, 1e-3 * lifted);
     const double spinning = critical([](Scene& scene) {

@@ -49,27 +49,28 @@ ContactLaw any_law(Random& random, double modulus, double mass) {
 }
 
 void move(Wall& wall, Random& random) {
-    WallMotion& motion = wall.motion;
+    MotionPiece motion;
     switch (static_cast<int>(random.uniform() * 4.0)) {
         case 0:
-            motion.kind = WallMotion::Kind::translate;
+            motion.kind = MotionPiece::Kind::translate;
             motion.velocity = wall.orientation * Vec3(0.0, 0.0, 0.2);  // planes: inwards
             break;
         case 1:
-            motion.kind = WallMotion::Kind::rotate;
+            motion.kind = MotionPiece::Kind::rotate;
             motion.axis = wall.orientation * Vec3::UnitZ();
             motion.point = wall.position;
             motion.rate = random.uniform(-50.0, 50.0);
             break;
         case 2:
-            motion.kind = WallMotion::Kind::oscillate;
+            motion.kind = MotionPiece::Kind::oscillate;
             motion.axis = wall.orientation * Vec3::UnitZ();
             motion.amplitude = 2e-4;
             motion.frequency = random.uniform(50.0, 500.0);
             break;
         default:
-            break;
+            return;
     }
+    wall.motion.pieces = {motion};
 }
 
 void add_groups(Scene& scene, const Region& region, double speed, Random& random) {

@@ -262,17 +262,17 @@ TEST(ReadScene, WallsStandWhereTheCaseSays) {
         const Wall& wall = scene.walls[w];
         const Vec3 inward = wall.orientation * Vec3::UnitZ();
         EXPECT_LT(inward.dot(wall.position), 0.0) << wall.name << " faces the center";
-        EXPECT_EQ(wall.motion.point, Vec3::Zero());
-        EXPECT_NEAR(wall.motion.rate, 2.0 * pi, 1e-12);
-        EXPECT_EQ(wall.motion.axis, Vec3::UnitZ());
+        EXPECT_EQ(wall.motion.pieces[0].point, Vec3::Zero());
+        EXPECT_NEAR(wall.motion.pieces[0].rate, 2.0 * pi, 1e-12);
+        EXPECT_EQ(wall.motion.pieces[0].axis, Vec3::UnitZ());
         EXPECT_NE(wall.name, "box.top");
     }
     const Wall& top = scene.walls[9];
     EXPECT_EQ(top.name, "drum.top");
     EXPECT_TRUE(top.position.isApprox(Vec3(0.0, 1.0, 0.0)));
     EXPECT_TRUE((top.orientation * Vec3::UnitZ()).isApprox(-Vec3::UnitY()));
-    EXPECT_EQ(top.motion.axis, Vec3::UnitY());
-    EXPECT_EQ(top.motion.until, 2.0);
+    EXPECT_EQ(top.motion.pieces[0].axis, Vec3::UnitY());
+    EXPECT_EQ(top.motion.pieces[0].until, 2.0);
     EXPECT_NE(case_message(sphere_case(), "wall.vessel.ends=top"), "fine");
     EXPECT_NE(case_message(sphere_case(), "wall.vessel.side=outside", "wall.vessel.ends=both"),
               "fine");

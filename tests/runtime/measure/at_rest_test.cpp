@@ -23,7 +23,7 @@ TEST(AtRest, IsReachedAfterTheLastBounceAndNotAtTheTopOfAFlight) {
         const bool touched = contact_count(simulation) > 0;
         simulation.step();
         if (!touched && contact_count(simulation) > 0) last_touchdown = simulation.time();
-        at_rest.look(simulation);
+        at_rest.look(simulation.bodies(), simulation.time(), simulation.is_inserted());
     }
     EXPECT_TRUE(at_rest.was_reached());
     EXPECT_GT(last_touchdown, 0.1);

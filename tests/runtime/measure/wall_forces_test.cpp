@@ -38,10 +38,10 @@ Scene shaken_tray() {
     tray.name = "tray";
     tray.shape = MeshWall{std::make_shared<const WallMesh>(
         sample::box_inside(Vec3(-0.03, -0.03, -4e-3), Vec3(0.03, 0.03, 0.2)).wall())};
-    tray.motion.kind = WallMotion::Kind::oscillate;
-    tray.motion.axis = Vec3(1.0, 0.5, 0.7).normalized();
-    tray.motion.amplitude = 1e-4;
-    tray.motion.frequency = 40.0;
+    tray.motion.pieces = {{.kind = MotionPiece::Kind::oscillate,
+                           .axis = Vec3(1.0, 0.5, 0.7).normalized(),
+                           .amplitude = 1e-4,
+                           .frequency = 40.0}};
     tray.torque_point = {0.01, 0.02, -0.03};
     scene.walls.push_back(tray);
     return scene;
@@ -113,8 +113,7 @@ TEST(WallForces, TheTorqueOnADrumTimesItsSpeedIsThePowerThatItGives) {
     scene.run.gravity = {0.0, -9.81, 0.0};
     const double rate = 6.0;
     for (Wall& wall : scene.walls) {
-        wall.motion.kind = WallMotion::Kind::rotate;
-        wall.motion.rate = rate;
+        wall.motion.pieces = {{.kind = MotionPiece::Kind::rotate, .rate = rate}};
         wall.torque_point = {0.0, 0.0, 0.4};
     }
     Simulation simulation(std::move(scene), 5e-6);

@@ -51,8 +51,8 @@ TEST(MeshWallScene, AClosedVesselThatShakesLosesNobodyAndItsLedgerCloses) {
     const double room = 7e-3 * SHAKEN_ROWS;
     const Vec3 half(room + 4e-3, room + 4e-3, room + 12e-3);
     scene.walls.push_back(mesh_wall(sample::box_inside(-half, half)));
-    WallMotion& shake = scene.walls[0].motion;
-    shake.kind = WallMotion::Kind::oscillate;
+    MotionPiece& shake = scene.walls[0].motion.pieces.emplace_back();
+    shake.kind = MotionPiece::Kind::oscillate;
     shake.axis = Vec3(1.0, 0.5, 2.0).normalized();
     shake.amplitude = 2e-3;
     shake.frequency = 30.0;
@@ -68,19 +68,19 @@ TEST(MeshWallScene, AClosedVesselThatShakesLosesNobodyAndItsLedgerCloses) {
 }
 
 TEST(MeshWallScene, AMovingPlateDragsBodiesAsAPlaneDoes) {
-    for (const auto kind : {WallMotion::Kind::none, WallMotion::Kind::translate,
-                            WallMotion::Kind::rotate, WallMotion::Kind::oscillate}) {
+    using Kind = MotionPiece::Kind;
+    for (const auto kind : {Kind::translate, Kind::rotate, Kind::oscillate}) {
         const auto made = [&](Wall wall) {
             Scene scene = bodies_in_rows(2, 0.6);
             wall.position = {0.01, -0.02, -0.02};
-            wall.motion.kind = kind;
-            wall.motion.velocity = {0.2, 0.1, 0.3};
-            wall.motion.axis = kind == WallMotion::Kind::rotate ? Vec3(0.2, 0.1, 1.0).normalized()
-                                                                : Vec3(0.0, 0.6, 0.8);
-            wall.motion.point = {0.02, 0.0, 0.0};
-            wall.motion.rate = 5.0;
-            wall.motion.amplitude = 1e-3;
-            wall.motion.frequency = 50.0;
+            wall.motion.pieces = {{.kind = kind,
+                                   .velocity = {0.2, 0.1, 0.3},
+                                   .axis = kind == Kind::rotate ? Vec3(0.2, 0.1, 1.0).normalized()
+                                                                : Vec3(0.0, 0.6, 0.8),
+                                   .point = {0.02, 0.0, 0.0},
+                                   .rate = 5.0,
+                                   .amplitude = 1e-3,
+                                   .frequency = 50.0}};
             scene.walls.push_back(wall);
             scene.run.domain = Aabb{Vec3::Constant(-10.0), Vec3::Constant(10.0)};
             return scene;
@@ -124,8 +124,8 @@ TEST(MeshWallScene, WhoeverGoesThroughAWallInOneStepEndsTheRunWithALine) {
             << message;
         // The wall may be the one that moves.
         scene.insertions[0].placements[0].velocity.setZero();
-        scene.walls[0].motion.kind = WallMotion::Kind::translate;
-        scene.walls[0].motion.velocity = {0.0, 0.0, 100.0};
+        scene.walls[0].motion.pieces = {
+            {.kind = MotionPiece::Kind::translate, .velocity = {0.0, 0.0, 100.0}}};
         EXPECT_NE(error_of(scene, 4e-4, 10).find("has gone through wall 'mesh'"),
                   std::string::npos);
     }

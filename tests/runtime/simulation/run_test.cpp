@@ -79,10 +79,10 @@ TEST_F(Run, IsNotAtRestBeforeItsWallsHaveBegunToMove) {
     Scene scene = bouncing_sphere();
     scene.run.end_time = 10.0;
     scene.run.stop_at_rest = true;
-    scene.walls[0].motion.kind = WallMotion::Kind::translate;
-    scene.walls[0].motion.velocity = {0.0, 0.0, 1e-3};
-    scene.walls[0].motion.from = 1.5;
-    scene.walls[0].motion.until = 1.6;
+    scene.walls[0].motion.pieces = {{.kind = MotionPiece::Kind::translate,
+                                     .velocity = {0.0, 0.0, 1e-3},
+                                     .from = 1.5,
+                                     .until = 1.6}};
     const RunResult result = run(std::move(scene), {});
     EXPECT_EQ(result.end, RunResult::End::at_rest);
     EXPECT_GT(result.time, 1.5);

@@ -50,8 +50,8 @@ TEST(Simulation, EnergyLedgerClosesBetterWithSmallerSteps) {
         Scene scene =
             spheres_over_a_floor({at(0.0, 0.0, 3.0 * radius), at(0.3 * radius, 0.0, 5.5 * radius)});
         Wall paddle = scenes::plane({4.0 * radius, 0.0, 0.0}, Vec3(-1.0, 0.0, 0.3).normalized());
-        paddle.motion.kind = WallMotion::Kind::translate;
-        paddle.motion.velocity = {-0.4, 0.1, 0.0};
+        paddle.motion.pieces = {
+            {.kind = MotionPiece::Kind::translate, .velocity = {-0.4, 0.1, 0.0}}};
         scene.walls.push_back(paddle);
         Simulation simulation(std::move(scene), dt);
         double worst = 0.0;

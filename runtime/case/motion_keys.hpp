@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "runtime/case/key.hpp"
+
+#include <span>
+
+namespace dem::runtime {
+
+/// Keys of [motion.NAME], those that a piece has, too, first.
+inline constexpr Key motion_keys[] = {
+    {.name = "kind",
+     .type = ValueType::choice,
+     .standard = "list",
+     .words = "translate rotate oscillate table list",
+     .doc = "`list`: the pieces [motion.NAME.PIECE], one after the other"},
+    {.name = "velocity",
+     .type = ValueType::vector,
+     .dimension = Dimension::velocity,
+     .required = true,
+     .when = "kind=translate",
+     .doc = "of everything that moves"},
+    {.name = "rate",
+     .dimension = Dimension::angular_velocity,
+     .required = true,
+     .when = "kind=rotate",
+     .doc = "positive: counter-clockwise seen against `axis`"},
+    {.name = "axis",
+     .type = ValueType::vector,
+     .required = true,
+     .when = "kind=rotate",
+     .doc = "direction of the axis; any length"},
+    {.name = "point",
+     .type = ValueType::vector,
+     .dimension = Dimension::length,
+     .standard = "0 0 0",
+     .when = "kind=rotate",
+     .doc = "a point of the axis"},
+    {.name = "direction",
+     .type = ValueType::vector,
+     .required = true,
+     .when = "kind=oscillate",
+     .doc = "of the displacement amplitude sin(2 pi frequency (t - from))"},
+    {.name = "amplitude",
+     .dimension = Dimension::length,
+     .range = positive,
+     .required = true,
+     .when = "kind=oscillate",
+     .doc = "largest displacement"},
+    {.name = "frequency",
+     .dimension = Dimension::frequency,
+     .range = positive,
+     .required = true,
+     .when = "kind=oscillate",
+     .doc = "of the oscillation"},
+    {.name = "ramp",
+     .dimension = Dimension::time,
+     .range = not_negative,
+     .standard = "0 s",
+     .when = "kind=translate|rotate|oscillate",
+     .doc =
+         "time in which the velocity or rate goes from its initial value to the one above, or the "
+         "amplitude from zero"},
+    {.name = "ramp_shape",
+     .type = ValueType::choice,
+     .standard = "smooth",
+     .words = "smooth linear",
+     .when = "kind=translate|rotate|oscillate",
+     .doc = "`smooth`: as x^2 (3 - 2 x), the acceleration has no jump"},
+    {.name = "initial_velocity",
+     .type = ValueType::vector,
+     .dimension = Dimension::velocity,
+     .standard = "0 0 0",
+     .when = "kind=translate",
+     .doc = "at the start of the ramp"},
+    {.name = "initial_rate",
+     .dimension = Dimension::angular_velocity,
+     .standard = "0",
+     .when = "kind=rotate",
+     .doc = "at the start of the ramp"},
+    {.name = "from",
+     .dimension = Dimension::time,
+     .range = not_negative,
+     .standard = "0 s",
+     .words = "settled",
+     .doc =
+         "everything stands before; of a list and a table: when their own times begin. `settled`: "
+         "once everything is inserted and has come to rest, and all times of the motion count "
+         "from then"},
+    {.name = "until",
+     .dimension = Dimension::time,
+     .range = positive,
+     .standard = "forever",
+     .words = "forever",
+     .when = "kind=translate|rotate|oscillate",
+     .doc = "everything stays where it is after"},
+    {.name = "repeat",
+     .dimension = Dimension::time,
+     .range = positive,
+     .standard = "never",
+     .words = "never",
+     .when = "kind=translate|rotate|oscillate|list",
+     .doc = "the motion begins anew after every such time, from where it then is"},
+    {.name = "file",
+     .type = ValueType::text,
+     .required = true,
+     .when = "kind=table",
+     .doc = "a table of poses, relative to the case file (docs/motions.md)"},
+    {.name = "within",
+     .type = ValueType::text,
+     .doc = "name of another motion, which carries the axes and points of this one"},
+};
+
+/// Keys of [motion.NAME.PIECE].
+inline constexpr std::span<const Key> piece_keys = std::span(motion_keys).first(14);
+
+}  // namespace dem::runtime
