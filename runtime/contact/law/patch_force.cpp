@@ -280,7 +280,7 @@ bool is_single(std::span<const ContactPoint> points, const PatchHistory& history
 PairContact single_force(const ContactPoint& point, double local_radius, const PairState& pair,
                          const ContactLaw& law, double dt, PatchHistory& history) {
     PointHistory single = as_point(history, law);
-    const PairContact contact = contact_force(point, local_radius, pair, law, dt, single);
+    PairContact contact = contact_force(point, local_radius, pair, law, dt, single);
     keep_point(single, point.feature, history);
     return contact;
 }

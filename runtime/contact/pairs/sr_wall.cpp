@@ -63,14 +63,21 @@ std::optional<Vec3> mean_place(const SrSupport& support, const SupportSample& no
     return last.point(after) - std::clamp(excess / by_step, 0.0, 1.0) * step;
 }
 
+/// A cylinder wall, and how a body stands to it.
+struct PosedCylinder {
+    const CylinderWall& wall;
+    const WallPose& pose;
+};
+
 /// Where the inside of a cylinder pushes a body whose place runs along one of its lines. `n`: from
 /// the wall. None: it stays, or an end of the side is near. (On a rod, whose side bulges, a
 /// straight side that crosses the line at a small angle touches where they cross: places do not run
 /// so.)
 std::optional<Vec3> place_along_line(const SrShape& a, const SrSupport& support,
                                      const SupportSample& now, const Vec3& n,
-                                     const CylinderWall& wall, const WallPose& pose,
+                                     const PosedCylinder& cylinder,
                                      const Call<PatchHistory, MissCache>& call) {
+    const auto& [wall, pose] = cylinder;
     const double z = pose.center.dot(pose.axis);
     if (!wall.reaches(z - a.bounding_radius) || !wall.reaches(z + a.bounding_radius)) return {};
     const Vec3 spin = call.dt * (call.pair.i.angular_velocity - call.pair.j.angular_velocity);
@@ -93,7 +100,7 @@ std::optional<PairContact> followed_contact(const SrShape& a, const SrSupport& s
     const double radius = radius_at(place.support, a, call.law, point);
     const Vec3 n = -place.at.n;
     const std::optional<Vec3> mean =
-        place_along_line(a, support, place.support, n, wall, pose, call);
+        place_along_line(a, support, place.support, n, {wall, pose}, call);
     const PairContact contact =
         mean ? contact_force({*mean + 0.5 * place.at.f * n, n, place.at.f, 0}, radius, call.pair,
                              call.law, call.dt, point)
@@ -139,7 +146,7 @@ PairContact collide(const SrShape& a, const CylinderWall& wall,
     if (wall.inside && touch.count == 1) {
         ContactPoint& at = touch.points[0];
         const Vec3 n = at.gradient;
-        const auto mean = place_along_line(a, support, touch.deepest, n, wall, pose, call);
+        const auto mean = place_along_line(a, support, touch.deepest, n, {wall, pose}, call);
         if (mean) at.position = *mean + 0.5 * at.overlap * n;
     }
     give_features(touch, history);
