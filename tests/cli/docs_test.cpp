@@ -102,8 +102,9 @@ class Page : public testing::TestWithParam<std::string> {
     void make_what_readers_have() const {
         fs::copy_file(source / "data/profiles/tablet.profile", folder_ / "tablet.profile",
                       fs::copy_options::skip_existing);
-        fs::copy_file(source / "data/meshes/hopper.obj", folder_ / "hopper.obj",
-                      fs::copy_options::skip_existing);
+        for (const char* mesh : {"hopper.obj", "baffle.obj"})
+            fs::copy_file(source / "data/meshes" / mesh, folder_ / mesh,
+                          fs::copy_options::skip_existing);
         expect_success("'" DEM_BINARY_DIR
                        "/bin/shapegen' tablet.profile --quiet -o rock.tpl && '" DEM_BINARY_DIR
                        "/bin/shapegen' export rock.tpl -o rock.stl && "
