@@ -6,6 +6,7 @@
 #include "runtime/case/case_lines.hpp"
 #include "runtime/case/region.hpp"
 #include "runtime/case/scene_sections.hpp"
+#include "runtime/contact/pairs/pair_table.hpp"
 #include "runtime/outlets/outlets.hpp"
 
 #include <algorithm>
@@ -132,6 +133,13 @@ void check_rows(const InsertionGroup& group, const RunSettings& run) {
 /// Where a wall in triangles is this much larger or smaller than a body, a unit is wrong.
 constexpr double largest_ratio = 1e6;
 
+/// Whether contacts of a kind with walls of triangles are computed.
+bool meets_meshes(const ParticleTemplate& shape, const ContactLaw& law) {
+    if (std::holds_alternative<SrShape>(shape.shape))
+        return contact_method(shape.is_convex, law) == ContactLaw::Method::continuous;
+    return !std::holds_alternative<ConvexShape>(shape.shape);
+}
+
 void check_mesh_wall(const Scene& scene, const InsertionGroup& group, const Wall& wall) {
     const auto* mesh = std::get_if<MeshWall>(&wall.shape);
     if (mesh == nullptr) return;
@@ -139,12 +147,12 @@ void check_mesh_wall(const Scene& scene, const InsertionGroup& group, const Wall
     for (const std::uint32_t kind : group.kinds) {
         if (scene.kinds[kind].inverse_inertia.mass == 0.0) continue;
         const ParticleTemplate& shape = scene.shapes[scene.kinds[kind].shape];
-        if (!std::holds_alternative<Sphere>(shape.shape) &&
-            !std::holds_alternative<Clump>(shape.shape)) {
+        if (!meets_meshes(shape, scene.laws.at(scene.kinds[kind].material, wall.material))) {
             throw Error(group.where, "bodies of kind '" + kind_name(shape) + "' with wall '" +
                                          wall.name +
-                                         "' of shape mesh are not in this version, "
-                                         "expected spheres or clumps");
+                                         "' of shape mesh are not in this version, expected "
+                                         "spheres, clumps or convex surfaces of revolution "
+                                         "without 'contact = nodes'");
         }
         const double radius = shape.bounding_radius;
         if (size <= largest_ratio * radius && radius <= largest_ratio * size) continue;

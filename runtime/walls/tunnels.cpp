@@ -19,8 +19,12 @@ struct Inscribed {
             [](const ClumpSphere& a, const ClumpSphere& b) { return a.radius < b.radius; });
         return {largest->center(), largest->radius};
     }
+    /// Those that are not convex do not meet mesh walls.
+    InscribedBall operator()(const SrShape& shape) const {
+        const double inner = shape.support.bounds.inner_radius;
+        return {Vec3::Zero(), shape.is_convex && inner > 0.0 ? inner : infinite};
+    }
     /// Does not meet mesh walls.
-    InscribedBall operator()(const SrShape& /*shape*/) const { return {Vec3::Zero(), infinite}; }
     InscribedBall operator()(const ConvexShape& /*shape*/) const {
         return {Vec3::Zero(), infinite};
     }

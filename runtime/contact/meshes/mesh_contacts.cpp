@@ -28,16 +28,14 @@ constexpr auto by_feature = [](const ContactPoint& a, const ContactPoint& b) {
 
 }  // namespace
 
-void MeshContacts::add_place(const BodyBall& ball, double overlap, const Vec3& gradient,
-                             std::uint32_t side) {
+void MeshContacts::add_place(ContactPoint point, std::uint32_t side) {
     if (count_ == room_.size()) return;
+    const std::uint64_t ball = point.feature;
     std::uint64_t place = 0;
-    if (count_ > 0 && ball_of(room_[count_ - 1].feature) == ball.number)
+    if (count_ > 0 && ball_of(room_[count_ - 1].feature) == ball)
         place = room_[count_ - 1].feature % most_places + 1;
-    const Vec3 lever = ball.center - (ball.radius - 0.5 * overlap) * gradient.normalized();
-    room_[count_++] = {
-        lever, gradient, overlap,
-        std::uint64_t{side} << side_shift | std::uint64_t{ball.number} << ball_shift | place};
+    point.feature = std::uint64_t{side} << side_shift | ball << ball_shift | place;
+    room_[count_++] = point;
 }
 
 /// Sides that one contact touched in the step before are still one contact.
@@ -62,7 +60,7 @@ std::uint64_t MeshContacts::group_of(std::uint32_t side) {
     for (std::size_t g = 0; g < group_count_; ++g)
         if (groups_[g].contact == contact) return g;
     if (group_count_ == groups_.size()) return group_count_ - 1;
-    groups_[group_count_] = {{}, contact, call_.memory.history.used, 0};
+    groups_[group_count_] = {{}, contact, call_.memory.history.used, 0, Vec3::Zero()};
     return group_count_++;
 }
 
@@ -83,6 +81,7 @@ void MeshContacts::sort_into_groups() {
             if (points[end].overlap <= deepest) continue;
             deepest = points[end].overlap;
             groups_[g].deepest_ball = static_cast<std::uint32_t>(ball_of(points[end].feature));
+            groups_[g].deepest_normal = points[end].gradient.normalized();
         }
         groups_[g].points = points.subspan(begin, end - begin);
         begin = end;

@@ -4,6 +4,7 @@
 #include "common/shapes/wall_mesh.hpp"
 #include "runtime/contact/meshes/ball_touch.hpp"
 #include "runtime/contact/meshes/mesh_history.hpp"
+#include "runtime/contact/meshes/smooth_touch.hpp"
 #include "runtime/contact/walls/mesh_wall.hpp"
 
 #include <limits>
@@ -45,10 +46,16 @@ class MeshContacts {
     template <class VisitTriangles>
     double add(const BodyBall& ball, const VisitTriangles& visit_triangles);
 
+    /// The same for a body that touches as a whole (SmoothTouches).
+    template <class Support, class VisitTriangles>
+    double add(const Support& support, const SmoothBody& body,
+               const VisitTriangles& visit_triangles);
+
     bool empty() const { return count_ == 0; }
 
     /// The force of everything added, after which the history is that of this step.
-    /// `radius_of(ball)`: of the ball of a number [m].
+    /// `radius_of(ball, normal)`: R* of the ball of a
+    /// number where it is touched along a unit vector of the world [m].
     template <class RadiusOf>
     PairContact force(const RadiusOf& radius_of);
 
@@ -60,9 +67,11 @@ class MeshContacts {
                                     ///< one of several where there are too many
         std::size_t old = 0;        ///< the contact of the step before that goes on; else `used`
         std::uint32_t deepest_ball = 0;
+        Vec3 deepest_normal = Vec3::Zero();  ///< towards the body, world
     };
 
-    void add_place(const BodyBall& ball, double overlap, const Vec3& gradient, std::uint32_t side);
+    /// `point`: its feature is the number of the ball.
+    void add_place(ContactPoint point, std::uint32_t side);
     void make_groups();
     void join_by_history();
     std::uint64_t group_of(std::uint32_t side);
@@ -94,8 +103,32 @@ double MeshContacts::add(const BodyBall& ball, const VisitTriangles& visit_trian
         return distance;
     });
     is_lost_ = is_lost_ || touches.is_lost();
-    touches.visit_places([&](double overlap, const Vec3& gradient, std::uint32_t side) {
-        add_place(ball, overlap, frame_.to_world * gradient, side);
+    touches.visit_places([&](const BallTouches::Place& place, std::uint32_t side) {
+        const Vec3 gradient = frame_.to_world * place.gradient;
+        const Vec3 lever =
+            ball.center - (ball.radius - 0.5 * place.overlap) * gradient.normalized();
+        add_place({lever, gradient, place.overlap, ball.number}, side);
+    });
+    return nearest;
+}
+
+template <class Support, class VisitTriangles>
+double MeshContacts::add(const Support& support, const SmoothBody& body,
+                         const VisitTriangles& visit_triangles) {
+    SmoothTouches<Support> touches(mesh_, support, body, call_.memory.history, sides_);
+    double nearest = std::numeric_limits<double>::infinity();
+    visit_triangles([&](std::uint32_t t) {
+        const double distance = touches.add(t);
+        nearest = std::min(nearest, distance);
+        return distance;
+    });
+    is_lost_ = is_lost_ || touches.is_lost();
+    touches.leave_lowest();
+    touches.visit_places([&](const MeshTouches::Place& place, std::uint32_t side) {
+        const Vec3 gradient = frame_.to_world * place.gradient;
+        const Vec3 lever = frame_.to_world * (place.point - body.center) +
+                           0.5 * place.overlap * gradient.normalized();
+        add_place({lever, gradient, place.overlap, 0}, side);
     });
     return nearest;
 }
@@ -131,8 +164,9 @@ PairContact MeshContacts::force(const RadiusOf& radius_of) {
     for (std::size_t g = 0; g < group_count_; ++g) {
         MeshHistory::Contact& contact = history.contacts[g];
         contact.sides = sides_of(g);
-        const PairContact one = contact_force(groups_[g].points, radius_of(groups_[g].deepest_ball),
-                                              call_.pair, call_.law, call_.dt, contact.history);
+        const PairContact one = contact_force(
+            groups_[g].points, radius_of(groups_[g].deepest_ball, groups_[g].deepest_normal),
+            call_.pair, call_.law, call_.dt, contact.history);
         put_together(one, sum);
         if (call_.scratch.several != nullptr) call_.scratch.several->push_back(one);
     }

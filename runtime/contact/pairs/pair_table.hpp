@@ -13,6 +13,7 @@
 #include "runtime/contact/pairs/sphere_sphere.hpp"
 #include "runtime/contact/pairs/sphere_sr_nodes.hpp"
 #include "runtime/contact/pairs/sphere_wall.hpp"
+#include "runtime/contact/pairs/sr_mesh.hpp"
 #include "runtime/contact/pairs/sr_sr_continuous.hpp"
 #include "runtime/contact/pairs/sr_sr_nodes.hpp"
 #include "runtime/contact/pairs/sr_wall.hpp"
@@ -188,10 +189,12 @@ struct RowsOfWalls<std::variant<Wall...>> {
         PairTable<WallRow<ConvexShape, Wall, ConvexHistory, MissCache>...>>::Type;
 };
 using MeshPairs = PairTable<WallRow<Sphere, MeshWall, MeshHistory, NearCache>,
-                            WallRow<Clump, MeshWall, MeshHistory, NearCache>>;
+                            WallRow<Clump, MeshWall, MeshHistory, NearCache>,
+                            WallRow<SrShape, MeshWall, MeshHistory, NearCache,
+                                    ContactLaw::Method::continuous>>;
 using WallPairs = typename Joined<RowsOfWalls<FieldWallShape>::Type, MeshPairs>::Type;
 
-/// Whether contacts of two kinds are computed; cases with others are refused when they are read.
+/// Whether contacts of two kinds are computed by every method; cases with others are refused when they are read.
 template <class A, class B>
 inline constexpr bool is_computed = true;
 template <>

@@ -2,7 +2,7 @@
 #include "runtime/contact/pairs/sr_wall.hpp"
 
 #include "runtime/contact/law/patch_slots.hpp"
-#include "runtime/contact/smooth/plane_place.hpp"
+#include "runtime/contact/smooth/mean_place.hpp"
 #include "runtime/contact/smooth/smooth_contact.hpp"
 #include "runtime/contact/smooth/sr_rod.hpp"
 #include "runtime/contact/smooth/sr_tube.hpp"
@@ -41,26 +41,6 @@ class WallPatch {
 double radius_at(const SupportSample& s, const SrShape& a, const ContactLaw& law,
                  const ContactHistory& history) {
     return needs_local_radius(law, history) ? contact_radius(law, s, a.equivalent_diameter) : 0.0;
-}
-
-/// Where a body takes the force of a plane whose place runs along a nearly straight side or over a
-/// tip in this step: at the mean of the places half a step before and after, with the parts that
-/// make the work of the force what the overlap changes by (crease.hpp). None: where it touches.
-std::optional<Vec3> mean_place(const SrSupport& support, const SupportSample& now, const Vec3& n,
-                               const PlaneSwing<double>& swing, double size) {
-    if (stays_near(now, swing, size)) return {};
-    // Seen from the body the plane turns the other way.
-    const Vec3 before = (-n - swing.half).normalized();
-    const Vec3 after = (-n + swing.half).normalized();
-    const SupportSample first = support(before);
-    const SupportSample last = support(after);
-    const Vec3 step = last.point(after) - first.point(before);
-    if (!(step.squaredNorm() > square(longest_run * size))) return {};
-    const Vec3 by_place = 2.0 * swing.half;  // of the overlap, per way of the place
-    const double by_step = step.dot(by_place);
-    if (!(by_step > 0.0)) return {};
-    const double excess = last.point(after).dot(by_place) - (last.h - first.h);
-    return last.point(after) - std::clamp(excess / by_step, 0.0, 1.0) * step;
 }
 
 /// A cylinder wall, and how a body stands to it.
