@@ -435,9 +435,9 @@ constexpr Key wall_keys[] = {
      .type = vector,
      .dimension = velocity,
      .standard = "0 0 0",
-     .doc =
-         "of the surface of a wall that stands, as of a belt: along a plane, along the axis of a "
-         "cylinder, along every triangle of a mesh; of each face of a box the part along it"},
+     .doc = "of the wall's surface, as of a belt, besides its motion: along a plane, along the "
+            "axis of a "
+            "cylinder, along every triangle of a mesh; of each face of a box the part along it"},
 };
 
 constexpr Key outlet_keys[] = {

@@ -67,6 +67,9 @@ PoseTable::Row parse_row(const std::vector<std::string>& fields, const Columns& 
     }
     PoseTable::Row row{
         values[0], {values[1], values[2], values[3]}, {values[4], values[5], values[6], values[7]}};
+    if (!(row.time >= 0.0))
+        throw Error(place, "found t = " + number_text(row.time) +
+                               ", expected no time before 0: the wall would jump where it begins");
     if (row.position.cwiseAbs().maxCoeff() > farthest_coordinate)
         throw Error(place, "a position further than 1e6 m from the origin, expected it nearer");
     // Rounded to six digits it is off by less.
@@ -82,6 +85,25 @@ PoseTable::Row parse_row(const std::vector<std::string>& fields, const Columns& 
 
 }  // namespace
 
+namespace {
+
+/// Throws Error unless a row follows the one before it in a way that has one meaning.
+void check_step(const PoseTable::Row& before, const PoseTable::Row& row, const std::string& place) {
+    if (!(row.time > before.time)) {
+        throw Error(place, "found t = " + number_text(row.time) + " after t = " +
+                               number_text(before.time) + ", expected times that rise");
+    }
+    // Of half the angle; which way half a turn goes is up to the sign of the quaternion.
+    constexpr double least_cosine = 0.01;
+    if (std::abs(row.orientation.dot(before.orientation)) < least_cosine) {
+        throw Error(place,
+                    "turns by half a turn from the row before, which may be either way, "
+                    "expected rows in between");
+    }
+}
+
+}  // namespace
+
 std::vector<PoseTable::Row> parse_pose_rows(std::string_view text, const std::string& where) {
     CsvRows lines(text, where);
     std::vector<std::string> fields;
@@ -90,15 +112,12 @@ std::vector<PoseTable::Row> parse_pose_rows(std::string_view text, const std::st
     std::vector<PoseTable::Row> rows;
     while (lines.next(fields)) {
         rows.push_back(parse_row(fields, columns, lines.place()));
-        const std::size_t count = rows.size();
-        if (count == 1 || rows[count - 1].time > rows[count - 2].time) continue;
-        throw Error(lines.place(), "found t = " + number_text(rows[count - 1].time) +
-                                       " after t = " + number_text(rows[count - 2].time) +
-                                       ", expected times that rise");
+        if (rows.size() > 1) check_step(rows[rows.size() - 2], rows.back(), lines.place());
     }
     if (rows.size() < 2) {
         throw Error(where, "holds " + std::to_string(rows.size()) +
-                               " poses, expected two or more to move between");
+                               (rows.size() == 1 ? " pose" : " poses") +
+                               ", expected two or more to move between");
     }
     return rows;
 }

@@ -203,7 +203,9 @@ void refuse_surface_velocity(const Values& values, const std::string& expected) 
 }
 
 void check_surface_velocity(const Values& values, const Wall& wall, const Vec3& velocity) {
+    constexpr double fastest = 1e9;  // [m/s]
     const double speed = velocity.norm();
+    if (!(speed < fastest)) refuse_surface_velocity(values, "less than 1e9 m/s");
     const Vec3 axis = wall.orientation * Vec3::UnitZ();
     if (values.word("shape") == "plane" &&
         std::abs(velocity.dot(axis)) > share_out_of_plane * speed) {

@@ -9,8 +9,8 @@ namespace dem::runtime {
 namespace {
 
 constexpr std::array contact_tables = {
-    "particle_i", "particle_j", "wall",         "slips",   "point", "normal", "force",
-    "friction",   "velocity",   "normal_force", "overlap", "ends",  "lines"};
+    "particle_i", "particle_j", "wall",         "slips",          "point",   "normal", "force",
+    "friction",   "velocity",   "normal_force", "friction_limit", "overlap", "ends",   "lines"};
 
 XdmfGrid write_contacts(FrameTables& tables, const ContactTable& contacts) {
     XdmfGrid grid;
@@ -36,6 +36,7 @@ XdmfGrid write_contacts(FrameTables& tables, const ContactTable& contacts) {
     vector("friction", contacts.friction, "N");
     vector("velocity", contacts.velocity, "m/s");
     scalar("normal_force", contacts.normal_force, "N");
+    scalar("friction_limit", contacts.friction_limit, "N");
     scalar("overlap", contacts.overlap, "m");
     std::vector<std::uint32_t> ends(2 * contacts.size());
     std::iota(ends.begin(), ends.end(), 0U);

@@ -22,14 +22,15 @@ struct ContactTable {
     std::vector<std::uint32_t> j;  ///< id of the particle that it touches, or no_partner
     /// Index of the wall that it touches (names of the writer), or no_partner.
     std::vector<std::uint32_t> wall;
-    std::vector<std::uint32_t> slips;  ///< flag
-    std::vector<double> point;         ///< 3 each: where the load acts [m]
-    std::vector<double> normal;        ///< 3 each: unit, from j or the wall towards i
-    std::vector<double> force;         ///< 3 each: on i [N]
-    std::vector<double> friction;      ///< 3 each: the part of the force that friction is [N]
-    std::vector<double> velocity;      ///< 3 each: of i relative to j or the wall there [m/s]
-    std::vector<double> normal_force;  ///< [N]
-    std::vector<double> overlap;       ///< [m]
+    std::vector<std::uint32_t> slips;    ///< flag
+    std::vector<double> point;           ///< 3 each: where the load acts [m]
+    std::vector<double> normal;          ///< 3 each: unit, from j or the wall towards i
+    std::vector<double> force;           ///< 3 each: on i [N]
+    std::vector<double> friction;        ///< 3 each: the part of the force that friction is [N]
+    std::vector<double> velocity;        ///< 3 each: of i relative to j or the wall there [m/s]
+    std::vector<double> normal_force;    ///< [N]
+    std::vector<double> friction_limit;  ///< at which friction slips [N]
+    std::vector<double> overlap;         ///< [m]
     /// 6 each: the line that shows it, from the center of i to that of j or to the point at the
     /// wall [m].
     std::vector<float> lines;

@@ -61,11 +61,6 @@ std::vector<WallSection> wall_sections(const Scene& scene) {
     return sections;
 }
 
-/// "drum.side" of the face "drum" among several.
-std::string face_name(const Wall& wall) {
-    return wall.name.find('.') == std::string::npos ? wall.name + ".side" : wall.name;
-}
-
 void add_columns(const std::string& name, std::vector<std::string>& columns) {
     for (const char* quantity : {"_force_x", "_force_y", "_force_z", "_torque_x", "_torque_y",
                                  "_torque_z", "_normal", "_shear", "_power"})
@@ -95,14 +90,25 @@ std::vector<WallForce> wall_forces(const Simulation& simulation) {
     return forces;
 }
 
+std::vector<std::string> face_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const Wall& wall : scene.walls) names.push_back(wall.name);
+    for (const WallSection& section : wall_sections(scene)) {
+        if (!section.has_faces()) continue;
+        for (std::size_t w = section.first; w < section.last; ++w)
+            if (names[w].find('.') == std::string::npos) names[w] += ".side";
+    }
+    return names;
+}
+
 std::vector<std::string> wall_force_columns(const Scene& scene) {
     std::vector<std::string> columns;
     if (scene.output.wall_forces == WallForceColumns::none) return columns;
+    const std::vector<std::string> names = face_names(scene);
     for (const WallSection& section : wall_sections(scene)) {
         add_columns(std::string(section.name), columns);
         if (scene.output.wall_forces != WallForceColumns::faces || !section.has_faces()) continue;
-        for (std::size_t w = section.first; w < section.last; ++w)
-            add_columns(face_name(scene.walls[w]), columns);
+        for (std::size_t w = section.first; w < section.last; ++w) add_columns(names[w], columns);
     }
     return columns;
 }

@@ -30,6 +30,7 @@ void note(std::span<const PairContact> contacts, const SeenPair& pair, const Bod
         one.friction = contact.friction;
         one.velocity = relative_velocity(state, contact.place);
         one.normal_force = contact.normal_force;
+        one.friction_limit = contact.friction_limit;
         one.overlap = contact.overlap;
         seen.push_back(one);
     }

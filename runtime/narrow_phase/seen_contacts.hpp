@@ -25,8 +25,11 @@ struct SeenContact {
     StoredVec3 force;           ///< on i [N]
     StoredVec3 friction;        ///< part of the force that friction is [N]
     StoredVec3 velocity;        ///< of i relative to j at the point [m/s]
-    double normal_force = 0.0;  ///< sizes of the forces along the normals of the points [N]
-    double overlap = 0.0;       ///< [m]
+    /// Sum over the points of the forces along their normals [N]: positive pushes apart; at the end
+    /// of an impact the dashpot may pull.
+    double normal_force = 0.0;
+    double friction_limit = 0.0;  ///< at which friction slips [N]
+    double overlap = 0.0;         ///< [m]
 };
 
 /// Of which pairs a step notes its contacts.

@@ -35,7 +35,7 @@ void remove_end(const std::filesystem::path& directory) {
 
 FrameContext frame_context(const Scene& scene, const WallTriangles& walls) {
     FrameContext context{scene.case_path, {}, scene.output.surfaces, scene.output.contacts};
-    for (const Wall& wall : scene.walls) context.walls.push_back(wall.name);
+    context.walls = walls.names;
     if (scene.output.wall_contacts) context.wall_contacts = &walls;
     for (const InsertionGroup& group : scene.insertions) context.groups.push_back(group.name);
     return context;
@@ -100,6 +100,7 @@ ContactTable contact_table(const Simulation& simulation) {
         add(contact.friction, table.friction);
         add(contact.velocity, table.velocity);
         table.normal_force.push_back(contact.normal_force);
+        table.friction_limit.push_back(contact.friction_limit);
         table.overlap.push_back(contact.overlap);
         add(contact.center_i, table.lines);
         add(contact.center_j, table.lines);

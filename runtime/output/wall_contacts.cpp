@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runtime/output/wall_contacts.hpp"
 
+#include "runtime/measure/wall_forces.hpp"
+
 namespace dem::runtime {
 
 namespace {
@@ -19,9 +21,9 @@ std::vector<double> per_area(const std::vector<double>& now, const std::vector<d
 
 WallTriangles wall_triangles(const Scene& scene) {
     WallTriangles all;
+    all.names = face_names(scene);
     std::uint32_t first = 0;
     for (std::uint32_t w = 0; w < scene.walls.size(); ++w) {
-        all.names.push_back(scene.walls[w].name);
         const auto* wall = std::get_if<MeshWall>(&scene.walls[w].shape);
         if (wall == nullptr) continue;
         const WallMesh& mesh = *wall->mesh;

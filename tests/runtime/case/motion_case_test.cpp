@@ -178,15 +178,15 @@ std::string table_message(const std::string& text) {
 
 TEST(MotionCase, ReadsTablesOfPosesAndSaysWhatIsWrongWithOthers) {
     const auto rows =
-        parse_pose_rows("t,qw,qx,qy,qz,z,y,x\n0,1,0,0,0,3,2,1\n0.5,0,0,0,-1,3,2,1\n", "poses.csv");
+        parse_pose_rows("t,qw,qx,qy,qz,z,y,x\n0,1,0,0,0,3,2,1\n0.5,0.8,0,0,-0.6,3,2,1\n", "poses.csv");
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[0].position, Vec3(1.0, 2.0, 3.0));
-    EXPECT_EQ(rows[1].orientation.z(), -1.0);
-    EXPECT_EQ(table_message("t,x,y,z\n-1,0,0,0\n2,0,0,1\n"), "fine");
+    EXPECT_NEAR(rows[1].orientation.z(), -0.6, 1e-15);
+    EXPECT_EQ(table_message("t,x,y,z\n0.5,0,0,0\n2,0,0,1\n"), "fine");
     const std::vector<std::pair<std::string, std::string>> wrong = {
         {"", "poses.csv: is empty, expected a header row and poses"},
         {"t,x,y,z\n", "poses.csv: holds 0 poses, expected two or more"},
-        {"t,x,y,z\n0,0,0,0\n", "poses.csv: holds 1 poses, expected two or more"},
+        {"t,x,y,z\n0,0,0,0\n", "poses.csv: holds 1 pose, expected two or more"},
         {"t,x,y\n0,0,0\n", "poses.csv:1: no column 'z'"},
         {"t,x,y,z,qw\n0,0,0,0,1\n", "poses.csv:1: no column 'qx'"},
         {"t,x,y,z,angle\n", "poses.csv:1: unknown column 'angle', expected a header row of t, x"},
@@ -196,6 +196,9 @@ TEST(MotionCase, ReadsTablesOfPosesAndSaysWhatIsWrongWithOthers) {
         {"t,x,y,z\n0,0,0,nan\n1,0,0,0\n", "poses.csv:2: column 'z': found 'nan'"},
         {"t,x,y,z\n0,0,0,0\n1,0,0,0\n1,0,0,1\n",
          "poses.csv:4: found t = 1 after t = 1, expected times that rise"},
+        {"t,x,y,z\n-1,0,0,0\n1,0,0,0\n", "poses.csv:2: found t = -1, expected no time before 0"},
+        {"t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0,0,0,0,-1\n",
+         "poses.csv:3: turns by half a turn from the row before"},
         {"t,x,y,z\n0,0,0,0\n1,0,0,2e6\n", "poses.csv:3: a position further than 1e6 m"},
         {"t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0,1,0.1,0,0\n",
          "poses.csv:3: the quaternion qw, qx, qy, qz has length 1.00499"},
