@@ -41,7 +41,7 @@ allow(runtime/contact/walls "${contact}|runtime/contact/walls/")
 allow(runtime/contact/smooth "${contact}|runtime/contact/(law|walls|smooth)/")
 allow(runtime/contact/fields "${contact}|runtime/contact/(law|walls|fields)/")
 allow(runtime/contact/cores "${contact}|runtime/contact/(law|smooth|cores)/")
-allow(runtime/contact/meshes "${contact}|runtime/contact/(law|walls|fields|meshes)/")
+allow(runtime/contact/meshes "${contact}|runtime/contact/(law|walls|smooth|fields|meshes)/")
 allow(runtime/contact/pairs "${contact}|runtime/contact/(law|walls|smooth|fields|cores|meshes|pairs)/")
 allow(runtime/contact/lanes "${contact}|runtime/contact/(law|walls|smooth|pairs|lanes)/")
 # memory: walls share their triangles.

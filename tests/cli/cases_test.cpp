@@ -64,10 +64,10 @@ TEST_P(Case, IsAcceptedWithTheShapesThatItsHeadCooks) {
 
 INSTANTIATE_TEST_SUITE_P(Data, Case,
                          testing::Values("all_kinds", "chung_ooi_1", "chung_ooi_2", "chung_ooi_3",
-                                         "baffles", "clumps", "demo", "hopper", "mixture",
-                                         "packing_candies", "packing_clumps", "packing_tablets",
-                                         "rotating_drum", "sand", "spheroids", "tablet_wall",
-                                         "ten_bunnies"),
+                                         "baffles", "clumps", "demo", "hopper", "hopper_tablets",
+                                         "mixture", "packing_candies", "packing_clumps",
+                                         "packing_tablets", "rotating_drum", "sand", "spheroids",
+                                         "tablet_wall", "ten_bunnies"),
                          [](const auto& tested) { return tested.param; });
 
 TEST(CasesFolder, EveryCaseIsTested) {
@@ -75,7 +75,7 @@ TEST(CasesFolder, EveryCaseIsTested) {
     for (const auto& entry : fs::directory_iterator(DEM_SOURCE_DIR "/data/cases")) {
         if (entry.path().extension() == ".ini") ++cases;
     }
-    EXPECT_EQ(cases, 17U) << "add new cases to the list above";
+    EXPECT_EQ(cases, 18U) << "add new cases to the list above";
 }
 
 }  // namespace

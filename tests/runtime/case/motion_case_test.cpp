@@ -177,8 +177,8 @@ std::string table_message(const std::string& text) {
 }
 
 TEST(MotionCase, ReadsTablesOfPosesAndSaysWhatIsWrongWithOthers) {
-    const auto rows =
-        parse_pose_rows("t,qw,qx,qy,qz,z,y,x\n0,1,0,0,0,3,2,1\n0.5,0.8,0,0,-0.6,3,2,1\n", "poses.csv");
+    const auto rows = parse_pose_rows(
+        "t,qw,qx,qy,qz,z,y,x\n0,1,0,0,0,3,2,1\n0.5,0.8,0,0,-0.6,3,2,1\n", "poses.csv");
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[0].position, Vec3(1.0, 2.0, 3.0));
     EXPECT_NEAR(rows[1].orientation.z(), -0.6, 1e-15);
