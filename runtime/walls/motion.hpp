@@ -57,8 +57,8 @@ struct MotionTime {
     double settled = std::numeric_limits<double>::infinity();  ///< when all bodies had; not yet [s]
 
     // NOLINTNEXTLINE(google-explicit-constructor): before anything has settled it is a time
-    MotionTime(double now_) : now(now_) {}
-    MotionTime(double now_, double settled_) : now(now_), settled(settled_) {}
+    MotionTime(double time) : now(time) {}
+    MotionTime(double time, double moment) : now(time), settled(moment) {}
 };
 
 /// Where something is and how it moves, world frame.
