@@ -188,13 +188,14 @@ struct RowsOfWalls<std::variant<Wall...>> {
         PairTable<WallRow<Clump, Wall, PatchHistory, NearCache>...>,
         PairTable<WallRow<ConvexShape, Wall, ConvexHistory, MissCache>...>>::Type;
 };
-using MeshPairs = PairTable<WallRow<Sphere, MeshWall, MeshHistory, NearCache>,
-                            WallRow<Clump, MeshWall, MeshHistory, NearCache>,
-                            WallRow<SrShape, MeshWall, MeshHistory, NearCache,
-                                    ContactLaw::Method::continuous>>;
+using MeshPairs =
+    PairTable<WallRow<Sphere, MeshWall, MeshHistory, NearCache>,
+              WallRow<Clump, MeshWall, MeshHistory, NearCache>,
+              WallRow<SrShape, MeshWall, MeshHistory, NearCache, ContactLaw::Method::continuous>>;
 using WallPairs = typename Joined<RowsOfWalls<FieldWallShape>::Type, MeshPairs>::Type;
 
-/// Whether contacts of two kinds are computed by every method; cases with others are refused when they are read.
+/// Whether contacts of two kinds are computed by every method; cases with others are refused when
+/// they are read.
 template <class A, class B>
 inline constexpr bool is_computed = true;
 template <>
